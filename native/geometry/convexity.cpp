@@ -1,0 +1,121 @@
+#include "geometry/convexity.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace jk {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Index = std::int32_t;
+
+struct Plane {
+    Point a, b, c;
+    Vector normal;  // towards the inside, not normalised
+    double length;  // of normal
+};
+
+[[noreturn]] void refuse(const char* what, std::size_t index, std::int64_t value) {
+    throw std::invalid_argument(std::string(what) + " " + std::to_string(index) + " is out of bounds: " +
+                                std::to_string(value));
+}
+
+void check_starts(const char* what, std::span<const Index> starts, std::size_t size) {
+    if (starts.empty() || starts.front() != 0) refuse(what, 0, starts.empty() ? -1 : starts.front());
+    for (std::size_t i = 1; i < starts.size(); ++i)
+        if (starts[i] < starts[i - 1]) refuse(what, i, starts[i]);
+    if (static_cast<std::size_t>(starts.back()) > size) refuse(what, starts.size() - 1, starts.back());
+}
+
+void check_indices(const char* what, std::span<const Index> indices, std::size_t count) {
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        if (indices[i] < 0 || static_cast<std::size_t>(indices[i]) >= count) refuse(what, i, indices[i]);
+}
+
+void check(const SectorPolygons& level) {
+    if (level.positions.size() % 3 != 0) throw std::invalid_argument("positions must have shape (n, 3)");
+    for (std::size_t i = 0; i < level.positions.size(); ++i)
+        if (!std::isfinite(level.positions[i]))
+            throw std::invalid_argument("position " + std::to_string(i / 3) + " is not finite");
+    const std::size_t vertices = level.positions.size() / 3;
+    check_starts("surface_start", level.surface_start, level.surface_vertex.size());
+    check_starts("sector_start", level.sector_start, level.sector_vertex.size());
+    check_indices("surface_vertex", level.surface_vertex, vertices);
+    check_indices("sector_vertex", level.sector_vertex, vertices);
+    const std::size_t sectors = level.sector_start.size() - 1;
+    if (level.sector_first.size() != sectors || level.sector_count.size() != sectors)
+        throw std::invalid_argument("sector_first and sector_count must have one entry a sector");
+    const auto surfaces = static_cast<std::int64_t>(level.surface_start.size()) - 1;
+    for (std::size_t i = 0; i < sectors; ++i) {
+        const std::int64_t first = level.sector_first[i], count = level.sector_count[i];
+        if (first < 0 || count < 0 || first + count > surfaces) refuse("sector_first", i, first);
+    }
+}
+
+// Twice the vector area of the polygon (Newell), which points to the side from which it is counter-clockwise.
+Vector vector_area(const std::vector<Point>& polygon) {
+    Vector sum(0, 0, 0);
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+        sum = sum + CGAL::cross_product(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+    return sum;
+}
+
+std::optional<Plane> widest_plane(const std::vector<Point>& polygon) {
+    const Vector area = vector_area(polygon);
+    std::optional<Plane> best;
+    double widest = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        for (std::size_t j = i + 1; j < polygon.size(); ++j)
+            for (std::size_t k = j + 1; k < polygon.size(); ++k) {
+                const Vector normal = CGAL::cross_product(polygon[j] - polygon[i], polygon[k] - polygon[i]);
+                const double squared = normal.squared_length();
+                if (squared <= widest || normal * area <= 0) continue;
+                if (CGAL::collinear(polygon[i], polygon[j], polygon[k])) continue;
+                widest = squared;
+                best = Plane{polygon[i], polygon[j], polygon[k], normal, std::sqrt(squared)};
+            }
+    return best;
+}
+
+}  // namespace
+
+Convexity sector_convexity(const SectorPolygons& level) {
+    check(level);
+    const std::size_t sectors = level.sector_start.size() - 1;
+    Convexity out{std::vector<Index>(sectors, 0), std::vector<Index>(sectors, -1), std::vector<Index>(sectors, -1),
+                  std::vector<double>(sectors, 0.0)};
+    const auto point = [&](Index v) {
+        const double* p = &level.positions[static_cast<std::size_t>(v) * 3];
+        return Point(p[0], p[1], p[2]);
+    };
+    std::vector<Point> polygon;
+    for (std::size_t s = 0; s < sectors; ++s) {
+        for (Index f = level.sector_first[s]; f < level.sector_first[s] + level.sector_count[s]; ++f) {
+            polygon.clear();
+            for (Index c = level.surface_start[f]; c < level.surface_start[f + 1]; ++c)
+                polygon.push_back(point(level.surface_vertex[c]));
+            const std::optional<Plane> plane = widest_plane(polygon);
+            if (!plane) continue;
+            for (Index c = level.sector_start[s]; c < level.sector_start[s + 1]; ++c) {
+                const Index v = level.sector_vertex[c];
+                const Point p = point(v);
+                if (CGAL::orientation(plane->a, plane->b, plane->c, p) != CGAL::NEGATIVE) continue;
+                ++out.behind[s];
+                const double distance = std::abs(plane->normal * (p - plane->a)) / plane->length;
+                if (out.surface[s] >= 0 && distance <= out.distance[s]) continue;
+                out.distance[s] = distance;
+                out.surface[s] = f;
+                out.vertex[s] = v;
+            }
+        }
+    }
+    return out;
+}
+
+}  // namespace jk
