@@ -2,6 +2,7 @@
 #include <nanobind/stl/tuple.h>
 
 #include "arrays.hpp"
+#include "text/decimals.hpp"
 #include "text/logical_lines.hpp"
 
 namespace nb = nanobind;
@@ -29,4 +30,17 @@ NB_MODULE(_native_text, m) {
         "Returns (line_segment (n+1,) int64, segment_start (m,) int64, segment_end (m,) int64, flags (n,) uint8):\n"
         "line i is the concatenation of the byte ranges segment_start[k]:segment_end[k] for k in\n"
         "line_segment[i]:line_segment[i+1]. Raises ValueError when buffer_size is below 2.");
+    m.def(
+        "decimals",
+        [](jk::Array<std::uint8_t> text) {
+            std::vector<float> values;
+            {
+                nb::gil_scoped_release release;
+                values = jk::decimals({reinterpret_cast<const char*>(text.data()), text.size()});
+            }
+            return jk::hand_over(std::move(values));
+        },
+        nb::arg("text"),
+        "Read numbers parted by single blanks, each rounded once to float32.\n\n"
+        "Returns (n,) float32; too large becomes infinity. Raises ValueError naming the word that is no number.");
 }

@@ -1,9 +1,13 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "text/decimals.hpp"
 #include "text/logical_lines.hpp"
 
 namespace {
@@ -50,4 +54,23 @@ TEST_CASE("a line over the buffer is read in pieces") {
 
 TEST_CASE("a line that fills the buffer exactly leaves its line feed behind as an empty piece") {
     CHECK(lines("abcd\nx\n", 5) == Lines{"abcd", "x"});
+}
+
+TEST_CASE("decimals in every spelling of the game") {
+    CHECK(jk::decimals("1 .5 -.5e-3 +1 1e3 5. -0.000000") == std::vector<float>{1, .5f, -.5e-3f, 1, 1000, 5, 0});
+    CHECK(jk::decimals("").empty());
+    CHECK(std::isnan(jk::decimals("nan")[0]));
+    CHECK_THROWS_AS(jk::decimals("1 2x"), std::invalid_argument);
+    CHECK_THROWS_AS(jk::decimals("1  2"), std::invalid_argument);
+    CHECK_THROWS_AS(jk::decimals("+-1"), std::invalid_argument);
+}
+
+TEST_CASE("a decimal is rounded once") {
+    // Just above the midpoint of 1 and 1 + 2^-23: to double it becomes that midpoint, and then goes down to even.
+    CHECK(jk::decimals("1.00000005960464477539062500001")[0] == std::nextafter(1.0f, 2.0f));
+}
+
+TEST_CASE("what float32 cannot hold") {
+    const float infinity = std::numeric_limits<float>::infinity();
+    CHECK(jk::decimals("1e39 -1e39 1e999 -1e-999 1e-46") == std::vector<float>{infinity, -infinity, infinity, 0, 0});
 }

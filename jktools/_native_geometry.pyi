@@ -1,0 +1,45 @@
+"""
+Native geometry with exact predicates; only jktools.geometry imports it.
+"""
+
+from typing import Annotated
+
+import numpy
+from numpy.typing import NDArray
+
+def sector_convexity(
+    positions: Annotated[
+        NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    surface_start: Annotated[
+        NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    surface_vertex: Annotated[
+        NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    sector_first: Annotated[
+        NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    sector_count: Annotated[
+        NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    sector_start: Annotated[
+        NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    sector_vertex: Annotated[
+        NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+) -> tuple[
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    Annotated[NDArray[numpy.float64], dict(shape=(None,))],
+]:
+    """
+    Test each sector's vertices against its surfaces, exactly.
+
+    positions is (3n,) float64, JKU; the rest are int32 as in SectorPolygons. Returns (behind, surface, vertex,
+    distance), one entry a sector: the number of (surface, vertex) pairs with the vertex strictly behind the
+    surface, the worst pair (-1, -1 when convex) and its distance in JKU. Raises ValueError naming the index
+    that is out of bounds or the position that is not finite.
+    """

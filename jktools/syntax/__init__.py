@@ -1,0 +1,1 @@
+"""Front ends: from the bytes of the game's files to frozen nodes with spans."""

@@ -1,0 +1,69 @@
+"""Lark grammars of the package, with their parse tables kept between runs."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import stat
+import sys
+import tempfile
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+import lark
+
+CACHE_FOLDER_VARIABLE = "JKTOOLS_CACHE"
+"""Names another folder for the parse tables; empty turns the cache off."""
+
+
+@cache
+def load(name: str, start: tuple[str, ...]) -> lark.Lark:
+    """The parser of `grammars/<name>.lark` with these start rules.
+
+    Building tables takes some 50 ms, reading them back 10. Lark unpickles what it finds, so the cache is trusted
+    only in a folder that belongs to this user and that nobody else can write to.
+    """
+    text = files("jktools").joinpath("grammars", f"{name}.lark").read_text("utf-8")
+    folder = _cache_folder()
+    if folder is None:
+        return _build(text, start)
+    key = hashlib.sha256(repr((text, start, lark.__version__, sys.version_info[:2])).encode()).hexdigest()
+    kept = folder / f"{name}-{key[:20]}.lark"
+    if kept.exists():
+        return _build(text, start, kept)
+    # Lark writes its cache in place: let it write beside the target, then rename.
+    handle, fresh = tempfile.mkstemp(dir=folder, prefix=f"{name}-")
+    os.close(handle)
+    Path(fresh).unlink()
+    try:
+        parser = _build(text, start, Path(fresh))
+        Path(fresh).replace(kept)
+    except OSError:
+        return _build(text, start)
+    finally:
+        with contextlib.suppress(FileNotFoundError):
+            Path(fresh).unlink()
+    return parser
+
+
+def _build(text: str, start: tuple[str, ...], kept: Path | None = None) -> lark.Lark:
+    return lark.Lark(
+        text, parser="lalr", start=list(start), cache=False if kept is None else str(kept), maybe_placeholders=False
+    )
+
+
+def _cache_folder() -> Path | None:
+    chosen = os.environ.get(CACHE_FOLDER_VARIABLE)
+    if chosen == "":
+        return None
+    try:
+        base = Path(chosen) if chosen else Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "jktools"
+        base.mkdir(mode=0o700, parents=True, exist_ok=True)
+        state = base.stat()
+    except (OSError, RuntimeError):
+        return None
+    owned = not hasattr(os, "getuid") or state.st_uid == os.getuid()
+    private = not state.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    return base if owned and private else None

@@ -1,0 +1,225 @@
+"""What every section's reader shares: the cursor over the lines, and how faults are told."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import lark
+
+from jktools.diagnostics import Code, Diagnostic, Label, Severity, Subject
+from jktools.source import Source, Span
+from jktools.syntax.jkl import faults, records
+from jktools.syntax.jkl.document import Heading
+from jktools.syntax.jkl.records import Record
+from jktools.syntax.jkl.rows import Rows
+from jktools.syntax.lines import LogicalLines
+
+MOST_FAULTS = 1000
+"""Faults told of one file; a file of garbage must not yield a report longer than itself."""
+
+_BOUNDARY = re.compile(r"\s*(section:|world\s|end(?!\S))", re.IGNORECASE)
+_SECTION = re.compile(r"\s*section:", re.IGNORECASE)
+_END = re.compile(r"[\s,]*end(?![^\s,])", re.IGNORECASE)
+
+
+class Context:
+    """Reads one file from its first line to its last."""
+
+    def __init__(self, source: Source, game: str) -> None:
+        """Start before the first logical line."""
+        self.source = source
+        self.game = game
+        self.lines = LogicalLines(source, game)
+        self.at = 0
+        self.diagnostics: list[Diagnostic] = []
+        self._untold = 0
+
+    # ---- lines
+
+    @property
+    def done(self) -> bool:
+        """Whether every line has been read."""
+        return self.at >= len(self.lines)
+
+    def text(self) -> str:
+        """The line at hand."""
+        return self.lines.text(self.at)
+
+    def at_section(self) -> bool:
+        """Whether the line at hand starts a section, or there is none left."""
+        return self.done or _SECTION.match(self.text()) is not None
+
+    def at_boundary(self) -> bool:
+        """Whether the line at hand ends any block: `section:`, `world ...`, `end`, or the end of the file."""
+        return self.done or _BOUNDARY.match(self.text()) is not None
+
+    def at_end_word(self) -> bool:
+        """Whether the line at hand is `end`."""
+        return not self.done and _END.match(self.text()) is not None
+
+    def skip_blank(self) -> None:
+        """Pass over lines of blanks, as the engine's field reader does."""
+        while not self.done and not self.text().strip(" \t\r,"):
+            self.at += 1
+
+    # ---- faults
+
+    def fault(
+        self,
+        code: Code,
+        place: Span | Source | int,
+        message: str,
+        help: str | None = None,
+        subject: Subject | None = None,
+        severity: Severity | None = None,
+        note: str = "",
+    ) -> None:
+        """Tell a fault; `place` may be a logical line."""
+        if len(self.diagnostics) >= MOST_FAULTS:
+            self._untold += 1
+            return
+        where = self.lines.span(place) if isinstance(place, int) else place
+        self.diagnostics.append(
+            Diagnostic(code, severity or code.severity, Label(where, note), message, help, subject)
+        )
+
+    def finish(self) -> tuple[Diagnostic, ...]:
+        """Everything that was told, in the order of the file."""
+        if self._untold:
+            self.diagnostics.append(
+                Diagnostic(
+                    faults.TOO_MANY_FAULTS,
+                    faults.TOO_MANY_FAULTS.severity,
+                    Label(self.source),
+                    f"{MOST_FAULTS} faults are reported, but {self._untold} more were found",
+                    "mend the first ones; the rest often follow from them",
+                )
+            )
+        return tuple(sorted(self.diagnostics, key=lambda d: d.sort_key))
+
+    # ---- records
+
+    def heading(self, words: str) -> Heading | None:
+        """Read the heading `words N`, or tell that it is missing and stay where we are."""
+        self.skip_blank()
+        expected = f'expected the heading "{words}" and a count'
+        if self.at_section():
+            place: Span | Source | int = self.source if self.done else self.at
+            self.fault(faults.MALFORMED_RECORD, place, f"{expected}, but the section ends here")
+            return None
+        line, text = self.at, self.text()
+        prefix = re.match(r"\s*" + r"\s+".join(map(re.escape, words.split())) + r"\b", text, re.IGNORECASE)
+        if prefix is None:
+            self.fault(
+                faults.MALFORMED_RECORD, line, f"{expected}, but found {quote(text)}",
+                f"put a line '{words} N' before the records, with their number",
+            )  # fmt: skip
+            return None
+        self.at += 1
+        try:
+            _, fields = records.parse_any("count", text)
+        except lark.UnexpectedInput:
+            number = re.match(r"\s*(\d+)", text[prefix.end() :])
+            self.fault(
+                faults.MALFORMED_RECORD if number is None else faults.LOOSELY_READ_RECORD, line,
+                f'expected a count behind "{words}", but found {quote(text[prefix.end() :])}',
+                "write the number of records that follow",
+            )  # fmt: skip
+            return None if number is None else Heading(line, int(number.group(1)))
+        return Heading(line, int(fields[-1]))
+
+    def record(self, record: Record, subject: Subject | None) -> Sequence[str] | None:
+        """Parse the line at hand and move on; None, and a fault told, when the engine could not read it."""
+        line, text = self.at, self.text()
+        self.at += 1
+        try:
+            tokens = record.parse(text)
+        except lark.UnexpectedInput as error:
+            return self._malformed(record, line, text, error, subject)
+        if tokens[-1].end_pos != len(text.rstrip()):
+            self._surplus(record, line, text, subject)
+        return tokens
+
+    def _surplus(self, record: Record, line: int, text: str, subject: Subject | None) -> None:
+        if record in _WITH_TAIL:
+            return
+        words = record.surplus(text)
+        if words:
+            start, end = words[0].start_pos, words[-1].end_pos
+            assert start is not None
+            assert end is not None
+            self.fault(
+                faults.LOOSELY_READ_RECORD, self.lines.part(line, start, end),
+                f"{name(record, subject)} ends before {quote(text[start:end])}, but the line goes on",
+                "remove what the engine does not read, or put a # before it", subject,
+            )  # fmt: skip
+
+    def _malformed(
+        self, record: Record, line: int, text: str, error: lark.UnexpectedInput, subject: Subject | None
+    ) -> list[str] | None:
+        ended = isinstance(error, lark.UnexpectedToken) and error.token.type == "$END"
+        start = len(text) if ended or error.pos_in_stream is None else error.pos_in_stream
+        word = re.match(r"\S*", record.words(text)[start:])
+        found = word.group() if word else ""
+        ordinal = len(record.words(text)[:start].split()) - record.words_before
+        wanted = _wanted(record, ordinal)
+        read = record.salvage(text)
+        what = f"but found {quote(found)}" if found else "but the line ends"
+        place = self.lines.part(line, start, start + len(found)) if found else self.lines.span(line)
+        if read is None:
+            self.fault(
+                faults.MALFORMED_RECORD, place, f"{name(record, subject)}: expected {wanted}, {what}",
+                "mend the line; the engine refuses a level with such a record", subject,
+            )  # fmt: skip
+        else:
+            taken = f"; the engine reads {read[ordinal]}" if 0 <= ordinal < len(read) else ""
+            self.fault(
+                faults.LOOSELY_READ_RECORD, place, f"{name(record, subject)}: expected {wanted}, {what}{taken}",
+                "write the value that you mean", subject,
+            )  # fmt: skip
+        return read
+
+    def outside(self, rows: Rows, kind: str) -> None:
+        """Tell of numbers that the engine's 32 bits cannot hold. Call when all columns are made."""
+        for index, field in sorted(rows.outside.items()):
+            line = rows.lines[index]
+            ordinal = rows.record.ordinal(field)
+            text = str(rows.fields[index][ordinal])
+            self.fault(
+                faults.LOOSELY_READ_RECORD, line,
+                f"{kind} {index} has {field} {quote(text)}, but the engine holds it in 32 bits",
+                "write a number that fits", Subject(kind, index),
+            )  # fmt: skip
+
+    def counted(self, heading: Heading | None, kind: str, found: int, help: str | None = None) -> None:
+        """Tell when a heading that must be exact announces another number than there are."""
+        if heading is not None and heading.count != found:
+            self.fault(
+                faults.COUNT_MISMATCH, heading.line,
+                f"the heading announces {heading.count} {kind}, but {found} follow",
+                help or f"write {found}, or restore what is missing; the engine refuses the level",
+            )  # fmt: skip
+
+
+_WITH_TAIL = (records.SURFACE, records.COG, records.TEMPLATE, records.THING, records.SOUND)
+"""Records whose own readers look at what stands behind the fields."""
+
+
+def name(record: Record, subject: Subject | None) -> str:
+    """How a record is called in a message: `vertex 12`."""
+    return record.title if subject is None else f"{subject.kind} {subject.index}"
+
+
+def quote(text: str) -> str:
+    """A piece of a file for a message, cut when long."""
+    text = " ".join(text.split())
+    return f'"{text}"' if len(text) <= 40 else f'"{text[:37]}..."'
+
+
+def _wanted(record: Record, ordinal: int) -> str:
+    if 0 <= ordinal < len(record.fields):
+        wanted = record.fields[ordinal]
+        article = "" if wanted.kind.value.split()[-1] == wanted.name else f", {wanted.kind.value}"
+        return f"the {wanted.name}{article}"
+    return f'the words "{record.keyword}"' if ordinal < 0 else "a whole number"

@@ -1,0 +1,1 @@
+"""Makes the files of the repository that are generated from others."""

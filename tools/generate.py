@@ -1,0 +1,56 @@
+"""Regenerate everything in the repository that is made from something else in it.
+
+`python -m tools.generate` writes in place; with `--into FOLDER` it writes beneath another root, for comparison.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+SCHEMA = "grammars/level.fbs"
+DOORS = ("text", "geometry", "file")
+
+
+def native_stubs(into: Path) -> list[Path]:
+    """`jktools/_native_*.pyi`, from the compiled modules."""
+    made = []
+    for door in DOORS:
+        target = into / f"jktools/_native_{door}.pyi"
+        target.parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run(
+            [sys.executable, "-m", "nanobind.stubgen", "-q", "-m", f"jktools._native_{door}", "-o", str(target)],
+            check=True,
+        )
+        subprocess.run([sys.executable, "-m", "ruff", "format", "-q", str(target)], check=True, cwd=ROOT)
+        made.append(target)
+    return made
+
+
+def level_code(into: Path) -> list[Path]:
+    """The C++ header and the Python module for compiled levels, from the schema."""
+    header, module = into / "runtime/level_generated.h", into / "jktools/compiler/level_generated.py"
+    for target, options in ((header, ["--cpp"]), (module, ["--python", "--gen-onefile"])):
+        target.parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["flatc", *options, "-o", str(target.parent), str(ROOT / SCHEMA)], check=True)
+    return [header, module]
+
+
+def generate(into: Path) -> list[Path]:
+    """Write everything beneath `into` and list it."""
+    return [*native_stubs(into), *level_code(into)]
+
+
+def main() -> None:
+    """The command line."""
+    arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("--into", type=Path, default=ROOT)
+    for path in generate(arguments.parse_args().into):
+        print(path)
+
+
+if __name__ == "__main__":
+    main()
