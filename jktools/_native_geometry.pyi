@@ -43,3 +43,33 @@ def sector_convexity(
     surface, the worst pair (-1, -1 when convex) and its distance in JKU. Raises ValueError naming the index
     that is out of bounds or the position that is not finite.
     """
+
+def points_outside(
+    positions: Annotated[
+        NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    surface_start: Annotated[
+        NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    surface_vertex: Annotated[
+        NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    sector_first: Annotated[
+        NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    sector_count: Annotated[
+        NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+    ],
+    points: Annotated[NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)],
+    sectors: Annotated[NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)],
+) -> tuple[
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    Annotated[NDArray[numpy.float64], dict(shape=(None,))],
+]:
+    """
+    Test points against the surfaces of their sectors, exactly.
+
+    positions (3n,) and points (3m,) are float64, JKU; sectors (m,) int32. Returns (surface, distance), one entry
+    a point: the surface that it is farthest behind and by how much in JKU, or -1 and 0. Raises ValueError naming
+    the index that is out of bounds or the point that is not finite.
+    """

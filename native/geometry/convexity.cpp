@@ -38,11 +38,15 @@ void check_indices(const char* what, std::span<const Index> indices, std::size_t
         if (indices[i] < 0 || static_cast<std::size_t>(indices[i]) >= count) refuse(what, i, indices[i]);
 }
 
+void check_finite(const char* what, std::span<const double> coordinates) {
+    for (std::size_t i = 0; i < coordinates.size(); ++i)
+        if (!std::isfinite(coordinates[i]))
+            throw std::invalid_argument(std::string(what) + " " + std::to_string(i / 3) + " is not finite");
+}
+
 void check(const SectorPolygons& level) {
     if (level.positions.size() % 3 != 0) throw std::invalid_argument("positions must have shape (n, 3)");
-    for (std::size_t i = 0; i < level.positions.size(); ++i)
-        if (!std::isfinite(level.positions[i]))
-            throw std::invalid_argument("position " + std::to_string(i / 3) + " is not finite");
+    check_finite("position", level.positions);
     const std::size_t vertices = level.positions.size() / 3;
     check_starts("surface_start", level.surface_start, level.surface_vertex.size());
     check_starts("sector_start", level.sector_start, level.sector_vertex.size());
@@ -83,6 +87,45 @@ std::optional<Plane> widest_plane(const std::vector<Point>& polygon) {
     return best;
 }
 
+// The planes of a level's surfaces, each made on first use.
+class Planes {
+public:
+    explicit Planes(const SectorPolygons& level) : level_(level), made_(level.surface_start.size() - 1) {}
+
+    Point point(Index vertex) const { return point_of(level_.positions, static_cast<std::size_t>(vertex)); }
+
+    static Point point_of(std::span<const double> positions, std::size_t i) {
+        return Point(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
+    }
+
+    const std::optional<Plane>& of(Index surface) {
+        Made& made = made_[static_cast<std::size_t>(surface)];
+        if (!made.done) {
+            polygon_.clear();
+            for (Index c = level_.surface_start[surface]; c < level_.surface_start[surface + 1]; ++c)
+                polygon_.push_back(point(level_.surface_vertex[c]));
+            made = {widest_plane(polygon_), true};
+        }
+        return made.plane;
+    }
+
+    // Distance of p behind the surface, or nothing when it is in front, on it, or the surface has no plane.
+    std::optional<double> behind(Index surface, const Point& p) {
+        const std::optional<Plane>& plane = of(surface);
+        if (!plane || CGAL::orientation(plane->a, plane->b, plane->c, p) != CGAL::NEGATIVE) return std::nullopt;
+        return std::abs(plane->normal * (p - plane->a)) / plane->length;
+    }
+
+private:
+    struct Made {
+        std::optional<Plane> plane;
+        bool done = false;
+    };
+    const SectorPolygons& level_;
+    std::vector<Made> made_;
+    std::vector<Point> polygon_;
+};
+
 }  // namespace
 
 Convexity sector_convexity(const SectorPolygons& level) {
@@ -90,29 +133,39 @@ Convexity sector_convexity(const SectorPolygons& level) {
     const std::size_t sectors = level.sector_start.size() - 1;
     Convexity out{std::vector<Index>(sectors, 0), std::vector<Index>(sectors, -1), std::vector<Index>(sectors, -1),
                   std::vector<double>(sectors, 0.0)};
-    const auto point = [&](Index v) {
-        const double* p = &level.positions[static_cast<std::size_t>(v) * 3];
-        return Point(p[0], p[1], p[2]);
-    };
-    std::vector<Point> polygon;
+    Planes planes(level);
     for (std::size_t s = 0; s < sectors; ++s) {
         for (Index f = level.sector_first[s]; f < level.sector_first[s] + level.sector_count[s]; ++f) {
-            polygon.clear();
-            for (Index c = level.surface_start[f]; c < level.surface_start[f + 1]; ++c)
-                polygon.push_back(point(level.surface_vertex[c]));
-            const std::optional<Plane> plane = widest_plane(polygon);
-            if (!plane) continue;
             for (Index c = level.sector_start[s]; c < level.sector_start[s + 1]; ++c) {
                 const Index v = level.sector_vertex[c];
-                const Point p = point(v);
-                if (CGAL::orientation(plane->a, plane->b, plane->c, p) != CGAL::NEGATIVE) continue;
+                const std::optional<double> distance = planes.behind(f, planes.point(v));
+                if (!distance) continue;
                 ++out.behind[s];
-                const double distance = std::abs(plane->normal * (p - plane->a)) / plane->length;
-                if (out.surface[s] >= 0 && distance <= out.distance[s]) continue;
-                out.distance[s] = distance;
+                if (out.surface[s] >= 0 && *distance <= out.distance[s]) continue;
+                out.distance[s] = *distance;
                 out.surface[s] = f;
                 out.vertex[s] = v;
             }
+        }
+    }
+    return out;
+}
+
+Outside points_outside(const SectorPolygons& level, std::span<const double> points, std::span<const Index> sectors) {
+    check(level);
+    if (points.size() != 3 * sectors.size()) throw std::invalid_argument("points must have shape (n, 3), one sector each");
+    check_finite("point", points);
+    check_indices("sector of point", sectors, level.sector_first.size());
+    Outside out{std::vector<Index>(sectors.size(), -1), std::vector<double>(sectors.size(), 0.0)};
+    Planes planes(level);
+    for (std::size_t i = 0; i < sectors.size(); ++i) {
+        const Point p = Planes::point_of(points, i);
+        const Index first = level.sector_first[sectors[i]], count = level.sector_count[sectors[i]];
+        for (Index f = first; f < first + count; ++f) {
+            const std::optional<double> distance = planes.behind(f, p);
+            if (!distance || (out.surface[i] >= 0 && *distance <= out.distance[i])) continue;
+            out.surface[i] = f;
+            out.distance[i] = *distance;
         }
     }
     return out;

@@ -1,4 +1,4 @@
-// Which sectors are convex, decided by exact predicates.
+// Which sectors are convex, and which points lie outside theirs, decided by exact predicates.
 #pragma once
 
 #include <cstdint>
@@ -25,15 +25,27 @@ struct Convexity {
     std::vector<double> distance;
 };
 
+// Per point: the surface of its sector that it is farthest behind, with the distance in JKU; -1 and 0 for a point
+// that is strictly behind none.
+struct Outside {
+    std::vector<std::int32_t> surface;
+    std::vector<double> distance;
+};
+
 // Tests every vertex of each sector against the plane of each of its surfaces. The side is exact (orientation of
 // four points with the coordinates as given); the distance is its rounded measure.
 //
-// A surface's plane is that of the widest triangle of its vertices that is wound like the whole polygon, so that
+// In all functions a surface's plane is that of the widest triangle of its vertices that is wound like the whole polygon, so that
 // a slightly bent surface is judged by its best-conditioned plane. A surface without such a triangle (all
 // vertices on one line) has no plane and is passed over.
 //
 // Throws std::invalid_argument naming the index when a range or a vertex index is out of bounds or a position is
 // not finite.
 Convexity sector_convexity(const SectorPolygons& level);
+
+// Tests each point (x y z, JKU) against the surfaces of its sector. Throws as above, and when a sector index is out
+// of bounds.
+Outside points_outside(const SectorPolygons& level, std::span<const double> points,
+                       std::span<const std::int32_t> sectors);
 
 }  // namespace jk

@@ -14,6 +14,11 @@ struct Level {
     std::vector<std::int32_t> surface_start{0}, surface_vertex, sector_first, sector_count, sector_start{0},
         sector_vertex;
 
+    jk::Outside outside(std::vector<double> points, std::vector<std::int32_t> sectors) const {
+        return jk::points_outside({positions, surface_start, surface_vertex, sector_first, sector_count,
+                                   sector_start, sector_vertex}, points, sectors);
+    }
+
     jk::Convexity convexity() const {
         return jk::sector_convexity({positions, surface_start, surface_vertex, sector_first, sector_count,
                                      sector_start, sector_vertex});
@@ -84,4 +89,13 @@ TEST_CASE("bad indices are refused") {
     level = cube();
     level.positions[4] = std::nan("");
     CHECK_THROWS_AS(level.convexity(), std::invalid_argument);
+}
+
+TEST_CASE("points outside their sector") {
+    const Level level = cube();
+    const auto found = level.outside({0.5, 0.5, 0.5, 1, 1, 1, 1.5, 0.5, 1.25, -1e-300, 0.5, 0.5}, {0, 0, 0, 0});
+    CHECK(found.surface == std::vector<std::int32_t>{-1, -1, 5, 4});
+    CHECK(found.distance[2] == doctest::Approx(0.5));
+    CHECK_THROWS_AS(level.outside({0, 0, 0}, {1}), std::invalid_argument);
+    CHECK_THROWS_AS(level.outside({0, 0, std::nan("")}, {0}), std::invalid_argument);
 }

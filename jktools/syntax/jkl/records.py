@@ -125,7 +125,7 @@ def parse_any(rule: str, text: str) -> tuple[str, list[lark.Token]]:
 
 
 START_RULES = (
-    "section", "count", "header_line", "sound", "entry", "vertex", "texture_vertex", "adjoin", "surface", "normal",
+    "section", "count", "header_line", "sound", "entry", "material", "vertex", "texture_vertex", "adjoin", "surface", "normal",
     "sector_line", "sector_vertex", "cog", "template", "thing", "arch_line",
 )  # fmt: skip
 
@@ -149,6 +149,7 @@ def _named(alias: str, rule: str, title: str, keyword: str, fields: tuple[Field,
 
 COUNT_FIELDS = _fields(Kind.INT, "count")
 SOUND = Record("sound", "sound", _fields(Kind.WORD, "name"))
+MATERIAL = Record("material", "material", _LABEL + _fields(Kind.WORD, "name"))
 ENTRY = Record("entry", "entry", _LABEL + _fields(Kind.WORD, "name"))
 VERTEX = Record("vertex", "vertex", _LABEL + _fields(Kind.FLOAT, "x, y, z"), scanned=True)
 TEXTURE_VERTEX = Record("texture_vertex", "texture vertex", _LABEL + _fields(Kind.FLOAT, "u, v"), scanned=True)

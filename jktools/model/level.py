@@ -1,0 +1,216 @@
+"""A level: the columns of its document, and what they refer to."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from jktools.diagnostics import Diagnostic
+from jktools.model.views import Adjoin, Cog, Records, Sector, Surface, Template, Thing
+from jktools.source import Source, Span
+from jktools.syntax.jkl import Document, Header
+from jktools.syntax.jkl.document import Bool, Float32, Int32
+from jktools.syntax.jkl.reader import GEOMETRY
+
+NONE = -1
+"""An index that refers to nothing."""
+
+
+class Level:
+    """One JKL as the engine would hold it, with everything that it drops still at hand.
+
+    Sequences have one entry a record as written; an entry that the engine drops says why in `dropped`. Large
+    sections are columns in `document`; records are views made on demand.
+    """
+
+    def __init__(self, document: Document) -> None:
+        """Resolve the references of a document. Never raises: what points nowhere resolves to -1."""
+        self.document = document
+
+    def __repr__(self) -> str:
+        return (
+            f"Level({self.path!r}, {len(self.sectors)} sectors, {len(self.surfaces)} surfaces, "
+            f"{len(self.things)} things)"
+        )
+
+    # ---- the file
+
+    @property
+    def path(self) -> str:
+        """Where it was read from."""
+        return self.source.path
+
+    @property
+    def source(self) -> Source:
+        """Its bytes."""
+        return self.document.source
+
+    @property
+    def game(self) -> str:
+        """`jk` or `mots`."""
+        return self.document.game
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """What reading found."""
+        return self.document.diagnostics
+
+    @property
+    def has_geometry(self) -> bool:
+        """False for static.jkl, which holds resources and templates only."""
+        return GEOMETRY in self.document.sections
+
+    def line_span(self, line: int) -> Span:
+        """The bytes of a logical line."""
+        return self.document.lines.span(line)
+
+    # ---- header and lists
+
+    @property
+    def header(self) -> Header:
+        """The HEADER section."""
+        return self.document.header
+
+    def names(self, key: str) -> tuple[str, ...]:
+        """A plain list by its key in `Document.lists`: `materials`, `sounds`, `models`, ..."""
+        return self.document.lists[key].names
+
+    @property
+    def materials(self) -> tuple[str, ...]:
+        """The MATERIALS list; surfaces count it."""
+        return self.names("materials")
+
+    @property
+    def colormaps(self) -> tuple[str, ...]:
+        """The colormaps of GEORESOURCE; sectors count it."""
+        return self.names("colormaps")
+
+    # ---- records
+
+    @property
+    def vertices(self) -> Float32:
+        """(n, 3) float32, JKU; NaN for a vertex that could not be read."""
+        return self.document.vertices.position
+
+    @property
+    def texture_vertices(self) -> Float32:
+        """(n, 2) float32, texels."""
+        return self.document.texture_vertices.coordinate
+
+    @cached_property
+    def surfaces(self) -> Records[Surface]:
+        """The surfaces as written."""
+        return Records(Surface, self, len(self.document.surfaces))
+
+    @cached_property
+    def sectors(self) -> Records[Sector]:
+        """The sectors as written."""
+        return Records(Sector, self, len(self.document.sectors))
+
+    @cached_property
+    def adjoins(self) -> Records[Adjoin]:
+        """The adjoins as written."""
+        return Records(Adjoin, self, len(self.document.adjoins))
+
+    @cached_property
+    def things(self) -> Records[Thing]:
+        """The things as placed."""
+        return Records(Thing, self, len(self.document.things))
+
+    @cached_property
+    def templates(self) -> Records[Template]:
+        """The templates as written."""
+        return Records(Template, self, len(self.document.templates))
+
+    @cached_property
+    def cogs(self) -> Records[Cog]:
+        """The placed COGs."""
+        return Records(Cog, self, len(self.document.cogs))
+
+    # ---- references
+
+    @cached_property
+    def surface_sector(self) -> Int32:
+        """(surfaces,) int32: the sector that claims each surface; the last where several do, -1 where none does."""
+        owner = np.full(len(self.surfaces), NONE, np.int32)
+        table = self.document.sectors
+        for sector, (first, count) in enumerate(
+            zip(table.first_surface.tolist(), table.surface_count.tolist(), strict=True)
+        ):
+            if first >= 0 and count > 0:
+                owner[first : first + count] = sector
+        return owner
+
+    @cached_property
+    def adjoin_surface(self) -> Int32:
+        """(adjoins,) int32: the surface that carries each adjoin; the last where several do, -1 where none does."""
+        carrier = np.full(len(self.adjoins), NONE, np.int32)
+        used = self.document.surfaces.adjoin
+        surfaces = np.flatnonzero((used >= 0) & (used < len(carrier)))
+        carrier[used[surfaces]] = surfaces  # assignment in order: the last one wins
+        return carrier
+
+    @cached_property
+    def mirror_surface(self) -> Int32:
+        """(adjoins,) int32: the surface on the other side of each adjoin, -1 where there is none."""
+        mirror = self.document.adjoins.mirror
+        return _take(self.adjoin_surface, mirror)
+
+    @cached_property
+    def adjoin_sector(self) -> Int32:
+        """(adjoins,) int32: the sector that each adjoin leads into, -1 where there is none."""
+        return _take(self.surface_sector, self.mirror_surface)
+
+    @cached_property
+    def template_by_name(self) -> dict[str, int]:
+        """Template index by lower-case name: the first of a name wins, as in the engine."""
+        index: dict[str, int] = {}
+        for i, name in enumerate(self.document.templates.names):
+            index.setdefault(name.lower(), i)
+        return index
+
+    # ---- geometry that can be computed with
+
+    @cached_property
+    def sound_surfaces(self) -> Bool:
+        """(surfaces,) bool: surfaces that were read and whose corners all name vertices with finite coordinates."""
+        table = self.document.surfaces
+        sound = ~table.broken
+        vertices = len(self.vertices)
+        inside = (table.corner_vertex >= 0) & (table.corner_vertex < vertices)
+        finite = np.isfinite(self.vertices).all(axis=1)
+        good = np.zeros(len(inside), np.bool_)
+        good[inside] = finite[table.corner_vertex[inside]]
+        corners = np.diff(table.corner_start)
+        bad = np.bincount(np.repeat(np.arange(len(corners)), corners)[~good], minlength=len(corners))
+        sound &= bad == 0
+        return sound
+
+    @cached_property
+    def sound_sectors(self) -> Bool:
+        """(sectors,) bool: sectors that were read, whose surfaces are all sound and whose vertices exist."""
+        table = self.document.sectors
+        sound = ~table.broken
+        surfaces, vertices = len(self.surfaces), len(self.vertices)
+        finite = np.isfinite(self.vertices).all(axis=1)
+        for i in np.flatnonzero(sound).tolist():
+            first, count = int(table.first_surface[i]), int(table.surface_count[i])
+            own = table.vertex[table.vertex_start[i] : table.vertex_start[i + 1]]
+            sound[i] = (
+                first >= 0
+                and count >= 0
+                and first + count <= surfaces
+                and bool(self.sound_surfaces[first : first + count].all())
+                and bool(((own >= 0) & (own < vertices)).all())
+                and bool(finite[own].all())
+            )
+        return sound
+
+
+def _take(values: Int32, indices: Int32) -> Int32:
+    """`values[indices]`, and -1 where an index is out of range."""
+    out = np.full(len(indices), NONE, np.int32)
+    inside = (indices >= 0) & (indices < len(values))
+    out[inside] = values[indices[inside]]
+    return out
