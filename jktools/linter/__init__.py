@@ -1,0 +1,18 @@
+"""Rules, one a file, and what runs them over a level."""
+
+from jktools.linter.registry import Selection, UnknownRuleError, find_rule, rules, select
+from jktools.linter.rule import Finding, Rule, reading_rule, rule
+from jktools.linter.runner import lint
+
+__all__ = [
+    "Finding",
+    "Rule",
+    "Selection",
+    "UnknownRuleError",
+    "find_rule",
+    "lint",
+    "reading_rule",
+    "rule",
+    "rules",
+    "select",
+]

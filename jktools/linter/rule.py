@@ -1,0 +1,99 @@
+"""What a rule is: a function that yields findings, with its identity and its docs."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+from jktools.diagnostics import Code, Diagnostic, Label, Severity, Subject
+from jktools.facts import LevelFacts
+from jktools.model import Level
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What a rule yields; the runner adds code and severity."""
+
+    label: Label
+    message: str
+    help: str | None = None
+    subject: Subject | None = None
+    related: tuple[Label, ...] = ()
+
+
+RULE_FAILED = Code("JK901", "rule-failed", Severity.ERROR)
+"""A bug in jktools, not in the level."""
+
+Check = Callable[[Level, LevelFacts], Iterable[Finding | Diagnostic]]
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A fragment of a level in a rule's docs; tests lay it over a whole level and lint that."""
+
+    lines: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """A check with its code, and since when it exists. Its docs are its function's docstring."""
+
+    code: Code
+    since: str
+    check: Check
+
+    @property
+    def module(self) -> str:
+        """Where it is written."""
+        return self.check.__module__
+
+    @property
+    def docs(self) -> str:
+        """The docstring."""
+        return inspect.getdoc(self.check) or ""
+
+    @property
+    def summary(self) -> str:
+        """The first sentence of the docs."""
+        return self.docs.partition("\n")[0]
+
+    @property
+    def bad(self) -> list[Example]:
+        """Fragments that the rule reports."""
+        return list(self._examples("Bad"))
+
+    @property
+    def good(self) -> list[Example]:
+        """Fragments that it does not."""
+        return list(self._examples("Good"))
+
+    def _examples(self, heading: str) -> Iterator[Example]:
+        """Indented blocks below `## Bad` or `## Good`."""
+        for title, body in re.findall(r"^## (.+)\n((?:(?!## ).*\n?)*)", self.docs, re.MULTILINE):
+            if title.strip() == heading:
+                for block in re.findall(r"(?:^    .*\n?)+", body, re.MULTILINE):
+                    yield Example(tuple(line[4:] for line in block.splitlines()))
+
+
+def rule(code: str, name: str, *, severity: Severity, since: str) -> Callable[[Check], Rule]:
+    """Make a rule of a function `check(level, facts)` that yields findings."""
+
+    def make(check: Check) -> Rule:
+        return Rule(Code(code, name, severity), since, check)
+
+    return make
+
+
+def reading_rule(code: Code, *, since: str) -> Callable[[Callable[[], None]], Rule]:
+    """Make a rule of what reading a level tells under a code; the function carries only the docs."""
+
+    def make(documented: Callable[[], None]) -> Rule:
+        def check(level: Level, facts: LevelFacts) -> Iterator[Diagnostic]:  # noqa: ARG001
+            return (d for d in level.diagnostics if d.code == code)
+
+        check.__doc__, check.__module__ = documented.__doc__, documented.__module__
+        return Rule(code, since, check)
+
+    return make

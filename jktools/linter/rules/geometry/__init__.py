@@ -1,0 +1,1 @@
+"""JK3xx: what is flat, convex and inside."""

@@ -1,0 +1,54 @@
+"""JK304: a surface that is not a convex polygon."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from jktools.diagnostics import Label, Severity
+from jktools.facts import LevelFacts
+from jktools.linter.rule import Finding, rule
+from jktools.model import Level
+
+CROSS_TOLERANCE = 1e-4
+"""JKU squared: the cross product of neighbouring edges that JED and SED allow to be negative."""
+
+DEPTH_TOLERANCE = 1e-4
+"""JKU: how far a corner may lie inside the line through its neighbours.
+
+JED and SED have no such limit, so that they judge long edges more strictly: at coordinates near 1000 they call
+straight edges reflex that are bent by less than float32 can hold.
+"""
+
+
+@rule("JK304", "surface-not-convex", severity=Severity.WARNING, since="0.1.0")
+def surface_not_convex(level: Level, facts: LevelFacts) -> Iterator[Finding]:
+    """Report a surface with a reflex corner.
+
+    ## Why it matters
+    The engine draws and clips a surface as a convex polygon: a reflex corner is drawn over or left out.
+
+    A corner counts when both the cross product of its edges is below -0.0001 JKU squared (the figure of JED and SED)
+    and the corner lies more than 0.0001 JKU inside the line through its neighbours.
+
+    ## Bad
+        World vertices 12
+        2: .4 .4 0
+
+    ## Good
+        World vertices 12
+        2: 1 1 0
+    """
+    concavity = facts.concavity
+    reflex = (concavity.cross < -CROSS_TOLERANCE) & (concavity.depth > DEPTH_TOLERANCE)
+    for index in np.flatnonzero(reflex).tolist():
+        surface = level.surfaces[index]
+        corner = int(concavity.corner[index])
+        vertex = int(surface.vertices[corner])
+        yield Finding(
+            Label(surface.corner_span(corner)),
+            f"{surface.title} should be convex, but its corner at vertex {vertex} is reflex, "
+            f"{concavity.depth[index]:.6g} JKU deep",
+            "cleave the surface at that corner",
+            surface.subject,
+            (Label(level.line_span(int(level.document.vertices.lines[vertex])), f"vertex {vertex}"),),
+        )

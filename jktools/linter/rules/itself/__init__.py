@@ -1,0 +1,1 @@
+"""JK9xx: jktools itself."""

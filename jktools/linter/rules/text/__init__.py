@@ -1,0 +1,1 @@
+"""JK0xx: the text of a level."""

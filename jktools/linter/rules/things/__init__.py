@@ -1,0 +1,1 @@
+"""JK4xx: templates and things."""

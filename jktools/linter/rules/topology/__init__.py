@@ -1,0 +1,1 @@
+"""JK2xx: sectors, surfaces and adjoins."""
