@@ -1,7 +1,8 @@
-"""Attachment: when a body attaches to a surface or a thing, stays and detaches, and what the attach flags mean.
+"""Attachment: when a body attaches to a surface or a thing, stays and detaches, and what the attach flags
+mean.
 
-Research document, "Attachment" and "Detecting Detachment"; sithPhysics_FindFloor, sithThing_AttachToSurface and
-sithThing_LandThing in the decompiled engine.
+Research document, "Attachment" and "Detecting Detachment"; sithPhysics_FindFloor, sithThing_AttachToSurface
+and sithThing_LandThing in the decompiled engine.
 """
 
 from __future__ import annotations
@@ -30,7 +31,9 @@ class Reading(enum.StrEnum):
 
 
 READING_OF = {Engine.RESEARCH: Reading.DATAMASTER, Engine.OPENJKDF2: Reading.JKSPECS}
-"""The research document trusts DataMaster without a test of its own; the decompiled engine follows JKSpecs."""
+"""The research document trusts DataMaster without a test of its own; the decompiled engine follows
+JKSpecs.
+"""
 
 ATTACH_FLAGS = {
     Reading.DATAMASTER: {
@@ -69,7 +72,8 @@ def describe_attachment(flags: int, reading: Reading) -> tuple[str, ...]:
 def takes_floor(physflags: int, surface: int, normal_z: float = 1.0) -> bool:
     """Say whether a body can attach to a world surface with these flags.
 
-    Floor stick needs the surface's floor flag and a surface that faces up; wall stick takes any solid surface.
+    Floor stick needs the surface's floor flag and a surface that faces up; wall stick takes any solid
+    surface.
     """
     if physflags & PhysicsFlag.WALL_STICK:
         return bool(surface & SurfaceFlag.COLLISION)
@@ -77,7 +81,9 @@ def takes_floor(physflags: int, surface: int, normal_z: float = 1.0) -> bool:
 
 
 def takes_face(physflags: int, thing_flags: int, normal_z: float) -> bool:
-    """Say whether a body can land on a face of a thing of type cog: standable, and not too steep for floor stick."""
+    """Say whether a body can land on a face of a thing of type cog: standable, and not too steep for floor
+    stick.
+    """
     if physflags & PhysicsFlag.WALL_STICK:
         return True
     return bool(physflags & PhysicsFlag.FLOOR_STICK and thing_flags & STANDABLE) and normal_z >= FACE_NORMAL_Z
@@ -89,15 +95,22 @@ def weapon_sticks(typeflags: int, *, to_thing: bool) -> bool:
     return bool(typeflags & needed)
 
 
-def looks_for_floor(physflags: int, velocity: npt.ArrayLike, *, attached: bool, moved: bool) -> bool:
-    """Say whether a body `(3,)` searches for its floor this tick.
+def looks_for_floor(
+    physflags: int,
+    velocity: npt.ArrayLike,
+    *,
+    attached: bool,
+    moved: bool,
+    engine: Engine = Engine.RESEARCH,
+) -> bool:
+    """Say whether a body with velocity `(3,)` searches for its floor this tick.
 
-    An attached body searches only when it moved, so a stationary one notices no change under it (research document,
-    "Surface Flags"). An unattached one with floor stick searches while its velocity along z is in `STICK_VELOCITY`
-    (JKU/s): that is the engine's; collisions attach the faster ones.
+    An attached body searches only when it moved, so a stationary one notices no change under it (research
+    document, "Surface Flags"). An unattached one lands by its collision sphere ("Insert Offset"); in `openjkdf2`
+    one with floor stick searches as well while its velocity along z is in `STICK_VELOCITY`, JKU/s.
     """
-    if attached:
-        return moved
+    if attached or engine is Engine.RESEARCH:
+        return attached and moved
     low, high = STICK_VELOCITY
     return bool(physflags & PhysicsFlag.FLOOR_STICK) and moved and bool(low <= bounded(velocity)[2] <= high)
 
@@ -105,7 +118,8 @@ def looks_for_floor(physflags: int, velocity: npt.ArrayLike, *, attached: bool, 
 def event(*, attached: bool, searched: bool, found: bool) -> Event:
     """Say what follows from a search: nothing found detaches, whatever was found first attaches.
 
-    A body that walks from surface to surface stays attached throughout: no falling animation, no landing sound.
+    A body that walks from surface to surface stays attached throughout: no falling animation, no landing
+    sound.
     """
     if not searched:
         return Event.STAYS if attached else Event.NOTHING

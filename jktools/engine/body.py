@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from jktools.engine.flags import PhysicsFlag
-
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """A moving body. Lengths in JKU, times in seconds; a parameter that no template sets is 0, as in the engine."""
+    """A moving body: JKU and seconds; a parameter that no template sets is 0, as in the engine."""
 
     maxthrust: float = 0.0
     surfdrag: float = 0.0
@@ -18,13 +16,13 @@ class Body:
     mass: float = 0.0
     movesize: float = 0.0
     insert_offset_z: float = 0.0
-    """From the 3DO's INSERT OFFSET; its x and y have no effect on walking (research document, "Insert Offset")."""
+    """From the 3DO; x and y have no effect on walking (research document, "Insert Offset")."""
     height: float = 0.0
     """Overrides the hover height when it is not 0."""
     jumpspeed: float = 0.0
     buoyancy: float = 0.0
     maxvel: float = 0.0
-    physflags: PhysicsFlag = PhysicsFlag(0)
+    physflags: int = 0
     player: bool = False
 
 
@@ -38,9 +36,9 @@ WALKPLAYER = Body(
     insert_offset_z=0.120114,
     jumpspeed=1.5,
     maxvel=1.0,
-    physflags=PhysicsFlag(0x4A4F),
+    physflags=0x4A4F,
     player=True,
 )
-"""The player on foot: drags and thrust from Table 1 of the research document, its insert offset and movesize from
-"Insert Offset" and "Descending From Height"; mass, jumpspeed, maxvel and physflags from the `_actor` template that
-levels carry."""
+"""The player on foot: drags and thrust from Table 1 of the research document, its insert offset and movesize
+from "Insert Offset" and "Descending From Height"; mass, jumpspeed, maxvel and physflags from the `_actor`
+template that levels carry."""

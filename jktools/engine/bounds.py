@@ -10,8 +10,8 @@ Float64 = npt.NDArray[np.float64]
 LIMIT = 1e30
 """Greatest magnitude that a rule computes with, in the unit of the input.
 
-The longest product in this package has ten factors (the position in a fourth-order step), and 1e30 to the tenth
-is the last power below the greatest float64, 1.8e308. Nothing in the game comes near 1e30.
+The longest product in this package has ten factors (the position in a fourth-order step), and 1e30 to the
+tenth is the last power below the greatest float64, 1.8e308. Nothing in the game comes near 1e30.
 """
 
 
@@ -22,10 +22,13 @@ def bounded(values: npt.ArrayLike) -> Float64:
 
 
 def length(vectors: npt.ArrayLike) -> Float64:
-    """Measure vectors along the last axis: `(..., n) -> (...)`, without overflow or underflow of the squares."""
+    """Measure vectors along the last axis: `(..., n) -> (...)`, without overflow or underflow of the
+    squares.
+    """
     array = np.abs(bounded(vectors))
     scale = array.max(axis=-1, keepdims=True)
     unit = np.divide(array, scale, out=np.zeros_like(array), where=scale != 0)
     with np.errstate(under="ignore"):
         root: Float64 = np.sqrt(np.square(unit).sum(axis=-1))
-    return root * scale[..., 0]
+    size: Float64 = root * scale[..., 0]
+    return size

@@ -27,7 +27,9 @@ UNDERWATER_DRAG_FACTOR = 4.0
 
 REST_SPEED = {Engine.RESEARCH: 1e-3, Engine.OPENJKDF2: 1e-5}
 """JKU/s below which drag leaves nothing. `openjkdf2`: a constant, for each component (rdMath_ClampVector).
-`research`: inferred from Table 12, whose four times all fit 1e-3; open whether the game or the log rounds there."""
+`research`: inferred from Table 12, whose four times all fit 1e-3; open whether the game or the log rounds
+there.
+"""
 
 
 class Coefficients(NamedTuple):
@@ -40,7 +42,9 @@ class Coefficients(NamedTuple):
 
 
 def friction(surface: int, *, turning: bool = False) -> float:
-    """Give a surface's friction in `openjkdf2`: 1, icy 0.3, very icy 0.25 (0.1 where only `turning` reads it)."""
+    """Give a surface's friction in `openjkdf2`: 1, icy 0.3, very icy 0.25 (0.1 where only `turning` reads
+    it).
+    """
     if surface & SurfaceFlag.VERY_ICY:
         return VERY_ICY_FRICTION if turning else LEAST_FRICTION
     return ICY_FRICTION if surface & SurfaceFlag.ICY else 1.0
@@ -64,9 +68,10 @@ def coefficients(
     | air | airdrag | none |
     | water | 4 airdrag | none |
 
-    Acceleration is own thrust or a sector's. A tick in which a force was applied (PhysicsFlag.FORCE_APPLIED) has no
-    drag on a surface, and without surfdrag the engine never looks at staticdrag. On ice the document saw what
-    staticdrag 0 looks like ("No staticdrag") and measured no more: `research` leaves surfdrag as it is there.
+    Acceleration is own thrust or a sector's. A tick in which a force was applied (PhysicsFlag.FORCE_APPLIED)
+    has no drag on a surface, and without surfdrag the engine never looks at staticdrag. On ice the document
+    saw what staticdrag 0 looks like ("No staticdrag") and measured no more: `research` leaves surfdrag as it
+    is there.
     """
     if support is Support.AIR:
         return Coefficients(body.airdrag, 0.0)
@@ -85,7 +90,9 @@ def coefficients(
 def stops(
     velocity: npt.ArrayLike, static: npt.ArrayLike, engine: Engine = Engine.RESEARCH
 ) -> npt.NDArray[np.bool_]:
-    """Say which bodies, `(..., 3)`, stop at once: speed at or below the threshold (`openjkdf2`: strictly below)."""
+    """Say which bodies, `(..., 3)`, stop at once: speed at or below the threshold (`openjkdf2`: strictly
+    below).
+    """
     speed, static = length(velocity), bounded(static)
     below = speed <= static if engine is Engine.RESEARCH else speed < static
     return np.asarray(below & (static != 0))
@@ -106,7 +113,8 @@ def apply_drag(
     dt: npt.ArrayLike,
     engine: Engine = Engine.RESEARCH,
 ) -> Float64:
-    """Take one tick's drag off velocities `(..., 3)`; `drag` (1/s), `static` (JKU/s) and `dt` (s) are `(...)`.
+    """Take one tick's drag off velocities `(..., 3)`; `drag` (1/s), `static` (JKU/s) and `dt` (s) are
+    `(...)`.
 
     `research`: v - v drag dt, as Tables 13 and 14 have it, which reverses and beyond dt x drag = 2 blows up.
     `openjkdf2`: the same with drag dt clamped to 1, so that the worst is a full stop.
@@ -130,8 +138,8 @@ def decay_frames(
 ) -> Float64:
     """Count the ticks in which drag alone brings `speed` below `rest_speed`, with no static threshold.
 
-    `rest_speed` defaults to `REST_SPEED[engine]`. Infinite without drag, 1 where dt x drag reaches 1 and NaN beyond
-    it in `research`, whose Euler step overshoots there.
+    `rest_speed` defaults to `REST_SPEED[engine]`. Infinite without drag, 1 where dt x drag reaches 1 and NaN
+    beyond it in `research`, whose Euler step overshoots there.
     """
     fraction = np.asarray(bounded(drag) * bounded(dt))
     goal = bounded(REST_SPEED[engine] if rest_speed is None else rest_speed) / bounded(speed)

@@ -1,6 +1,7 @@
 """The flag words that motion reads, in the engine's own numbering.
 
-Sources: research document, "Attachment / Flags" (Tables 15 and 16); the decompiled engine for what it does with them.
+Sources: research document, "Attachment / Flags" (Tables 15 and 16); the decompiled engine for what it does
+with them.
 """
 
 from __future__ import annotations
@@ -30,7 +31,9 @@ class SectorFlag(enum.IntFlag):
 
 
 class PhysicsFlag(enum.IntFlag):
-    """Physics flags (`physflags` of a template). Where the community's documents differ, the engine is followed."""
+    """Physics flags (`physflags` of a template). Where the community's documents differ, the engine is
+    followed.
+    """
 
     GRAVITY = 0x1
     USES_THRUST = 0x2
@@ -40,7 +43,9 @@ class PhysicsFlag(enum.IntFlag):
     ORIENTATION_SETTLED = 0x100
     """Cleared at each new attachment and set once the body is upright: DataMaster's "attached"."""
     KEEP_UPRIGHT = 0x800
-    """Stay upright and measure height along z. DataMaster: gravity while attached, which the engine contradicts."""
+    """Stay upright and measure height along z. DataMaster: gravity while attached, which the engine
+    contradicts.
+    """
     FLIES = 0x2000
     FEELS_BLAST = 0x4000
     """Pushed by explosions, in the air too. DataMaster: when attached, which the engine contradicts."""

@@ -1,7 +1,7 @@
 """Gravity, mass, pushing and sector thrust.
 
-Research document, "Mass / Gravity" and "Detecting Detachment"; sithPhysics_ThingPhysGeneral, _ThingPhysUnderwater,
-_ThingPhysAttached and _ThingApplyForce in the decompiled engine.
+Research document, "Mass / Gravity" and "Detecting Detachment"; sithPhysics_ThingPhysGeneral,
+_ThingPhysUnderwater, _ThingPhysAttached and _ThingApplyForce in the decompiled engine.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ HALF_GRAVITY = 0.5
 LIFTING_FORCE = 0.5
 """A force whose z gives more than this speed (JKU/s) detaches the body it acts on."""
 SLOPE_GRAVITY = (0.2, 0.8)
-"""Bounds of the part of gravity, 1 - friction, that an attached player still feels; on a level floor it is removed
-again with the component along the normal."""
+"""Bounds of the part of gravity, 1 - friction, that an attached player still feels; on a level floor it is
+removed again with the component along the normal."""
 
 
 class Push(NamedTuple):
@@ -46,9 +46,9 @@ def gravity_acceleration(
 ) -> float:
     """Give the acceleration along z, JKU/s^2, of a body that nothing carries; an attached body has none.
 
-    Mass does not change it (research document, "Gravity": 0.1 and 1000 land together), but a body of mass 0 or
-    without the gravity flag has none in the air. Under water it is scaled by buoyancy, not by the flags of the air,
-    and absent at the surface.
+    Mass does not change it (research document, "Gravity": 0.1 and 1000 land together), but a body of mass 0
+    or without the gravity flag has none in the air. Under water it is scaled by buoyancy, not by the flags of
+    the air, and absent at the surface.
     """
     if support is Support.SURFACE or not body.physflags & PhysicsFlag.GRAVITY:
         return 0.0
@@ -97,7 +97,9 @@ def sector_acceleration(
 def sector_thrust_detaches(
     body: Body, thrust: npt.ArrayLike, *, gravity: float = WORLD_GRAVITY, engine: Engine = Engine.RESEARCH
 ) -> bool:
-    """Say whether an attached body is lifted off: never in `research`; `openjkdf2`: thrust z above gravity * mass."""
+    """Say whether an attached body is lifted off: never in `research`; `openjkdf2`: thrust z above gravity *
+    mass.
+    """
     if engine is Engine.RESEARCH or not feels_sector_thrust(body, SectorFlag.THRUST):
         return False
     return bool(bounded(thrust)[..., 2] > bounded(gravity) * bounded(body.mass))
@@ -105,7 +107,8 @@ def sector_thrust_detaches(
 
 @np.errstate(under="ignore")
 def apply_force(body: Body, force: npt.ArrayLike) -> Push:
-    """Push a body with a force `(3,)` (mass JKU/s): velocity changes by force / mass, and not at all without mass.
+    """Push a body with a force `(3,)` (mass JKU/s): velocity changes by force / mass, and not at all without
+    mass.
 
     The heavier, the harder to push (research document, "Gravity"); the quotient and its consequences are
     sithPhysics_ThingApplyForce's.

@@ -16,8 +16,8 @@ LEAST_CLEARANCE = 0.005
 """JKU that the decompiled engine keeps between the collision sphere and the floor."""
 CROUCHED_CLEARANCE = 0.01
 SETTLING_SPEED = 0.5
-"""JKU/s: linear. The document saw "perhaps a quarter of a second" at an insert offset of 0.3, which would be about
-1 JKU/s; it had no clock on it. This is the decompiled engine's, and the default of both profiles."""
+"""JKU/s: linear. The document saw "perhaps a quarter of a second" at an insert offset of 0.3, which would be
+about 1 JKU/s; it had no clock on it. This is the decompiled engine's, and the default of both profiles."""
 CROUCHED_INSERT_OFFSET = 0.0
 """What the document suspects in place of the insert offset while crouching."""
 
@@ -32,8 +32,9 @@ def hover_height(
 ) -> Float64:
     """Give the height of a resting body's position over its floor, JKU; arguments broadcast.
 
-    `research`: the insert offset, but never lower than the sphere ("sunken in"); crouching, an insert offset of 0.
-    `openjkdf2`: at least movesize + 0.005; crouching, movesize + 0.01. A template's `height` replaces the standing one.
+    `research`: the insert offset, but never lower than the sphere ("sunken in"); crouching, an insert offset
+    of 0. `openjkdf2`: at least movesize + 0.005; crouching, movesize + 0.01. A template's `height` replaces
+    the standing one.
     """
     insert, radius, own = bounded(insert_offset_z), bounded(movesize), bounded(height)
     if engine is Engine.RESEARCH:
@@ -47,7 +48,8 @@ def hover_height(
 
 
 def settle(error: npt.ArrayLike, dt: npt.ArrayLike) -> Float64:
-    """Give what one tick of `dt` seconds leaves of a height error, JKU, above (+) or below (-) the hover height.
+    """Give what one tick of `dt` seconds leaves of a height error, JKU, above (+) or below (-) the hover
+    height.
 
     At most 0.5 JKU/s either way, along z for bodies kept upright and else along the floor's normal.
     """

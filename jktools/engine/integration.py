@@ -5,8 +5,8 @@ The equation is dv/dt = acceleration - drag * v, dx/dt = v. Every scheme is line
     v' = R(h) v + dt S(h) acceleration      x' = x + dt P(h) v + dt^2 Q(h) acceleration      h = drag * dt
 
 and a scheme is the four functions R, S, P, Q. The document works with Euler (research document, "Integration
-Schemes") and leaves open which one the game uses; the decompiled engine does velocity first, then position with the
-new velocity (sithPhysics_ThingPhysGeneral), drag clamped (sithPhysics_ApplyDrag).
+Schemes") and leaves open which one the game uses; the decompiled engine does velocity first, then position
+with the new velocity (sithPhysics_ThingPhysGeneral), drag clamped (sithPhysics_ApplyDrag).
 """
 
 from __future__ import annotations
@@ -117,7 +117,8 @@ _FACTORS: dict[Scheme, Callable[[Float64], Factors]] = {
     Scheme.EXPLICIT_EULER: _explicit_euler,
     Scheme.SEMI_IMPLICIT_EULER: _semi_implicit_euler,
     Scheme.ENGINE: _engine,
-    # With v = (x - last x) / dt, x' = 2x - last x + a dt^2 is v' = v + a dt, x' = x + v' dt, letter for letter.
+    # With v = (x - last x) / dt, x' = 2x - last x + a dt^2 is v' = v + a dt, x' = x + v' dt, letter for
+    # letter.
     Scheme.VERLET: _semi_implicit_euler,
     Scheme.VELOCITY_VERLET: _velocity_verlet,
     Scheme.RK4: _rk4,
@@ -160,8 +161,8 @@ def step(
 ) -> Motion:
     """Advance bodies by one step of `dt` seconds; all arguments broadcast.
 
-    `acceleration` (JKU/s^2) leaves drag out and is constant over the step. Inputs saturate at `bounds.LIMIT`, so
-    infinities give no NaN; NaN gives NaN.
+    `acceleration` (JKU/s^2) leaves drag out and is constant over the step. Inputs saturate at `bounds.LIMIT`,
+    so infinities give no NaN; NaN gives NaN.
     """
     x, v, a, dt = bounded(position), bounded(velocity), bounded(acceleration), bounded(dt)
     keep, gain, drift, bend = factors(scheme, drag, dt)
@@ -184,7 +185,8 @@ def steady_speed(thrust: npt.ArrayLike, drag: npt.ArrayLike) -> Float64:
     thrust, drag = np.broadcast_arrays(bounded(thrust), bounded(drag))
     limit = np.where(thrust == 0, 0.0, np.copysign(np.inf, thrust))
     with np.errstate(over="ignore", under="ignore"):
-        return np.divide(thrust, drag, out=limit, where=drag != 0)
+        speed: Float64 = np.divide(thrust, drag, out=limit, where=drag != 0)
+    return speed
 
 
 def is_stable(scheme: Scheme, drag: npt.ArrayLike, dt: npt.ArrayLike) -> npt.NDArray[np.bool_]:
@@ -199,6 +201,6 @@ def instability(scheme: Scheme, drag: float, dt: float) -> str | None:
     limit = TRAITS[scheme].stability_limit
     growth = abs(float(factors(scheme, drag, dt).keep))
     return (
-        f"{scheme} blows up: dt x drag = {dt * drag:.6g} exceeds {limit:.6g}, so each step multiplies the speed by "
-        f"{growth:.6g}"
+        f"{scheme} blows up: dt x drag = {dt * drag:.6g} exceeds {limit:.6g}, "
+        f"so each step multiplies the speed by {growth:.6g}"
     )

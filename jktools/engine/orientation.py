@@ -1,7 +1,8 @@
 """Orientation: pitch, yaw and roll, the look matrix, and how the two meet when a thing is made.
 
-x right, y forward, z up, right-handed; degrees; the columns of a matrix are the thing's right, look and up vectors.
-Research document, "Orientation"; rdMatrix_BuildRotate34 and sithThing_Create* in the decompiled engine.
+x right, y forward, z up, right-handed; degrees; the columns of a matrix are the thing's right, look and up
+vectors. Research document, "Orientation"; rdMatrix_BuildRotate34 and sithThing_Create* in the decompiled
+engine.
 """
 
 from __future__ import annotations
@@ -14,8 +15,10 @@ import numpy.typing as npt
 from jktools.engine.bounds import Float64, bounded
 
 GIMBAL_COSINE = 1e-7
-"""Cosine of pitch below which yaw and roll turn about one axis. The cosine of a matrix that was computed in float64
-is good to about 1e-8 near the poles (the square root of the rounding), so anything below this is noise."""
+"""Cosine of pitch below which yaw and roll turn about one axis. The cosine of a matrix that was computed in
+float64 is good to about 1e-8 near the poles (the square root of the rounding), so anything below this is
+noise.
+"""
 
 
 class Creation(enum.StrEnum):
@@ -57,9 +60,11 @@ def _index(turn: Float64) -> npt.NDArray[np.intp]:
 
 
 def angles(matrices: npt.ArrayLike) -> Float64:
-    """Read pitch, yaw, roll off look matrices: `(..., 3, 3) -> (..., 3)`, degrees in -180 .. 180, pitch -90 .. 90.
+    """Read pitch, yaw, roll off look matrices: `(..., 3, 3) -> (..., 3)`, degrees in -180 .. 180, pitch -90
+    .. 90.
 
-    Looking straight up or down, where only yaw -+ roll can be known (gimbal lock), roll is 0 and yaw has all of it.
+    Looking straight up or down, where only yaw -+ roll can be known (gimbal lock), roll is 0 and yaw has all
+    of it.
     """
     m = bounded(matrices)
     sp = np.clip(m[..., 2, 1], -1.0, 1.0)
@@ -67,7 +72,8 @@ def angles(matrices: npt.ArrayLike) -> Float64:
     locked = cp < GIMBAL_COSINE
     yaw = np.where(locked, np.arctan2(m[..., 1, 0], m[..., 0, 0]), np.arctan2(-m[..., 0, 1], m[..., 1, 1]))
     roll = np.where(locked, 0.0, np.arctan2(-m[..., 2, 0], m[..., 2, 2]))
-    return np.rad2deg(np.stack([np.arctan2(sp, cp), yaw, roll], axis=-1))
+    read: Float64 = np.rad2deg(np.stack([np.arctan2(sp, cp), yaw, roll], axis=-1))
+    return read
 
 
 def created(
@@ -79,10 +85,10 @@ def created(
 ) -> Float64:
     """Give the look matrix of a new thing: `(..., 3, 3)`.
 
-    `template` is its template's `orient`, `placed` the angles of its line in the JKL, both `(..., 3)` degrees;
-    `spawner` the look matrix of the thing it is created at. A placed thing ignores its template's `orient`; a created
-    one combines its spawner's orientation with it (research document, "orient template property"), and CreateThingNR
-    does as CreateThing does ("CreateThing vs CreateThingNR").
+    `template` is its template's `orient`, `placed` the angles of its line in the JKL, both `(..., 3)`
+    degrees; `spawner` the look matrix of the thing it is created at. A placed thing ignores its template's
+    `orient`; a created one combines its spawner's orientation with it (research document, "orient template
+    property"), and CreateThingNR does as CreateThing does ("CreateThing vs CreateThingNR").
     """
     if how is Creation.PLACED:
         return matrix(placed)
@@ -91,7 +97,9 @@ def created(
 
 
 def created_velocity(velocity: npt.ArrayLike, look: npt.ArrayLike, *, rotate: bool = True) -> Float64:
-    """Give a created thing's first velocity: its template's `vel` in its own frame, unless physics flag 0x20000."""
+    """Give a created thing's first velocity: its template's `vel` in its own frame, unless physics flag
+    0x20000.
+    """
     v = bounded(velocity)
     return (bounded(look) @ v[..., None])[..., 0] if rotate else v
 
@@ -99,13 +107,15 @@ def created_velocity(velocity: npt.ArrayLike, look: npt.ArrayLike, *, rotate: bo
 def spin(look: npt.ArrayLike, angular_velocity: npt.ArrayLike, dt: npt.ArrayLike) -> Float64:
     """Turn look matrices `(..., 3, 3)` by one tick of `angvel`, `(..., 3)` degrees/s of pitch, yaw, roll.
 
-    The axes are the thing's own, however it lies (research document, "Order of Operations"): M' = M R(angvel dt).
+    The axes are the thing's own, however it lies (research document, "Order of Operations"): M' = M R(angvel
+    dt).
     """
     return bounded(look) @ matrix(bounded(angular_velocity) * bounded(dt)[..., None])
 
 
 def renormalised(look: npt.ArrayLike) -> Float64:
-    """Take the drift out of look matrices `(..., 3, 3)`: look keeps its direction, right and up are squared to it.
+    """Take the drift out of look matrices `(..., 3, 3)`: look keeps its direction, right and up are squared
+    to it.
 
     The engine does so every eighth tick.
     """
@@ -117,4 +127,5 @@ def renormalised(look: npt.ArrayLike) -> Float64:
 
 def _unit(vectors: Float64) -> Float64:
     size = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return np.divide(vectors, size, out=np.zeros_like(vectors), where=size != 0)
+    unit: Float64 = np.divide(vectors, size, out=np.zeros_like(vectors), where=size != 0)
+    return unit

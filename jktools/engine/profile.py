@@ -8,8 +8,8 @@ import enum
 class Engine(enum.StrEnum):
     """Whose rules apply. A function that knows both takes `engine=`; the two are never blended.
 
-    A system that the research document does not treat at all has one known rule, the decompiled engine's, and its
-    functions take no `engine=`.
+    A system that the research document does not treat at all has one known rule, the decompiled engine's, and
+    its functions take no `engine=`.
     """
 
     RESEARCH = "research"

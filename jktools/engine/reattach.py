@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.engine.bounds import Float64, bounded
-from jktools.engine.hover import CROUCHED_INSERT_OFFSET, SETTLING_SPEED, hover_height
+from jktools.engine.hover import CROUCHED_INSERT_OFFSET, LEAST_CLEARANCE, SETTLING_SPEED, hover_height
 from jktools.engine.profile import Engine
 
 
@@ -45,8 +45,8 @@ def reattach_distance(
     """Give the deepest drop, JKU from floor to floor, that a settled body takes without detaching.
 
     `research`: max(radius, insert offset) + radius; crouching, with the insert offset 0 that it suspects.
-    `openjkdf2`: the search is a ray, then a sphere, of twice the standing hover height H from the position, so the
-    limit is 2 H + radius - (present height): H + radius standing, 2 H - 0.01 crouching.
+    `openjkdf2`: the search is a ray, then a sphere, of twice the standing hover height H from the position,
+    so the limit is 2 H + radius - (present height): H + radius standing, 2 H - 0.01 crouching.
     """
     insert, radius = bounded(insert_offset_z), bounded(movesize)
     if engine is Engine.RESEARCH:
@@ -66,18 +66,20 @@ def search_distance(
     sticks: bool = True,
     engine: Engine = Engine.RESEARCH,
 ) -> Float64:
-    """Give how far below its position, JKU, a body's ray looks for a floor.
+    """Give how far below its position, JKU, a body looks for a floor.
 
-    `research`: the reattach distance and the insert offset on top ("if the origin of the raycast is at the player's
-    position"). `openjkdf2`: 2 H attached with floor or wall stick (`sticks`), 1.1 H attached without.
+    `research`: the reattach distance from the feet of a resting body. The document adds the insert offset
+    instead, which is the same from movesize up; below it that would give 0.075 where 0.13 was measured.
+    `openjkdf2`: 2 H attached with floor or wall stick (`sticks`), 1.1 H attached without.
     Unattached, in both: movesize + 0.005, the sphere's touch.
     """
     insert, radius = bounded(insert_offset_z), bounded(movesize)
     if not attached:
-        return hover_height(0.0, radius, engine=Engine.OPENJKDF2)
+        return radius + LEAST_CLEARANCE
+    hover = hover_height(insert, radius, height=height, engine=engine)
     if engine is Engine.RESEARCH:
-        return reattach_distance(insert, radius) + insert
-    return (2.0 if sticks else 1.1) * hover_height(insert, radius, height=height, engine=engine)
+        return reattach_distance(insert, radius) + hover
+    return (2.0 if sticks else 1.1) * hover
 
 
 def taken_at_edge(
@@ -87,10 +89,11 @@ def taken_at_edge(
     *,
     height: npt.ArrayLike = 0.0,
 ) -> npt.NDArray[np.bool_]:
-    """Say whether the lower floor is taken as soon as the position passes the edge: drop at most H (`openjkdf2`).
+    """Say whether the lower floor is taken as soon as the position passes the edge: drop at most H
+    (`openjkdf2`).
 
-    A deeper one, up to the reattach distance, is taken by the sphere's sweep once the position is movesize past the
-    edge; so a gap narrower than two movesizes goes unnoticed.
+    A deeper one, up to the reattach distance, is taken by the sphere's sweep once the position is movesize
+    past the edge; so a gap narrower than two movesizes goes unnoticed.
     """
     hover = hover_height(insert_offset_z, movesize, height=height, engine=Engine.OPENJKDF2)
     return np.asarray(bounded(drop) <= hover)
@@ -119,11 +122,12 @@ def step_up(
 def walk_down(
     drops: npt.ArrayLike, treads: npt.ArrayLike, speed: float, limit: float, *, lag: float = 0.0
 ) -> Flight:
-    """Follow a body down a flight: `drops` `(n,)` JKU, each followed by its tread `(n,)` JKU, at `speed` JKU/s.
+    """Follow a body down a flight: `drops` `(n,)` JKU, each followed by its tread `(n,)` JKU, at `speed`
+    JKU/s.
 
-    The body sinks at 0.5 JKU/s, so on stairs steeper than that it lags behind: lag' = max(0, lag + drop - 0.5 tread /
-    speed), and a step is seamless while lag + drop is within `limit`, the reattach distance. After the first that is
-    not, the body falls, and the rest are not seamless.
+    The body sinks at 0.5 JKU/s, so on stairs steeper than that it lags behind: lag' = max(0, lag + drop - 0.5
+    tread / speed), and a step is seamless while lag + drop is within `limit`, the reattach distance. After
+    the first that is not, the body falls, and the rest are not seamless.
     """
     drop, tread = np.broadcast_arrays(bounded(drops), bounded(treads))
     lags = np.empty(len(drop))

@@ -1,7 +1,7 @@
 """Thrust: from keys to the vector that COG reads, and from that vector to a change of velocity.
 
-Research document, "Player Movement" (Text 1) and "Actor Movement"; sithControl_PlayerMovement, sithControl_FreeCam,
-sithPhysics_ThingPhys* and sithAI in the decompiled engine.
+Research document, "Player Movement" (Text 1) and "Actor Movement"; sithControl_PlayerMovement,
+sithControl_FreeCam, sithPhysics_ThingPhys* and sithAI in the decompiled engine.
 """
 
 from __future__ import annotations
@@ -31,7 +31,9 @@ SWIM_FACTOR = 0.5
 """Part of maxthrust that the jump and crouch keys add along z under water."""
 
 ACTOR_READABLE_THRUST = 0.0
-"""What GetThingThrust tells of an AI actor even while it moves: its steps never pass through the thrust vector."""
+"""What GetThingThrust tells of an AI actor even while it moves: its steps never pass through the thrust
+vector.
+"""
 
 
 class NotStatedError(ValueError):
@@ -67,10 +69,11 @@ def player_thrust(
     extra_speed: float = 0.0,
     engine: Engine = Engine.RESEARCH,
 ) -> Float64:
-    """Give the thrust vector that GetThingThrust reads: `(3,)`, JKU/s^2, in the body's look frame (x right, y forward).
+    """Give the thrust vector that GetThingThrust reads: `(3,)`, JKU/s^2, in the body's look frame (x right, y
+    forward).
 
-    `surface` is the flag word of the surface under an attached body, `extra_speed` what SetActorExtraSpeed set.
-    Raises NotStatedError for deep water in `research`: the document's factors are illegible.
+    `surface` is the flag word of the surface under an attached body, `extra_speed` what SetActorExtraSpeed
+    set. Raises NotStatedError for deep water in `research`: the document's factors are illegible.
     """
     # Axes are kept to single keys' worth; a joystick between gives the part.
     forward, strafe = (min(1.0, max(-1.0, axis)) for axis in (keys.forward, keys.strafe))
@@ -136,10 +139,12 @@ def thrust_acceleration(
     attached: bool = True,
     engine: Engine = Engine.RESEARCH,
 ) -> Float64:
-    """Turn a thrust vector into acceleration in the world, JKU/s^2: `(..., 3)` through `(3, 3)` look matrices.
+    """Turn a thrust vector into acceleration in the world, JKU/s^2: `(..., 3)` through `(3, 3)` look
+    matrices.
 
-    In `openjkdf2` an attached body's thrust is scaled by the surface's friction (see `drag.friction`), or by 0.8
-    while it crouches: ice halts feet although the thrust vector does not show it (sithPhysics_ThingPhysAttached).
+    In `openjkdf2` an attached body's thrust is scaled by the surface's friction (see `drag.friction`), or by
+    0.8 while it crouches: ice halts feet although the thrust vector does not show it
+    (sithPhysics_ThingPhysAttached).
     """
     vector = bounded(thrust)
     if orientation is not None:
@@ -159,7 +164,8 @@ def actor_acceleration(
     """Give an AI actor's acceleration towards `direction`, `(3,)` in the world, whichever way it looks.
 
     sithAI adds direction * maxthrust * move_speed * dt to the velocity, along z only for flyers and swimmers
-    (`three_dimensional`): the document's hypothesis (a), "applied directly". No penalty backwards or sideways.
+    (`three_dimensional`): the document's hypothesis (a), "applied directly". No penalty backwards or
+    sideways.
     """
     vector = bounded(direction).copy()
     if not three_dimensional:
