@@ -106,8 +106,8 @@ def looks_for_floor(
     """Say whether a body with velocity `(3,)` searches for its floor this tick.
 
     An attached body searches only when it moved, so a stationary one notices no change under it (research
-    document, "Surface Flags"). An unattached one lands by its collision sphere ("Insert Offset"); in `openjkdf2`
-    one with floor stick searches as well while its velocity along z is in `STICK_VELOCITY`, JKU/s.
+    document, "Surface Flags"). An unattached one lands by its collision sphere ("Insert Offset"); in
+    `openjkdf2` one with floor stick also searches while its velocity along z is in `STICK_VELOCITY`, JKU/s.
     """
     if attached or engine is Engine.RESEARCH:
         return attached and moved

@@ -149,9 +149,10 @@ class Steps:
 
     def _tops(self, path: _Path, position: Vector) -> Iterator[Contact]:
         for tread, low, high in self._spans():
-            distance = path.to_level(tread.height + path.radius)
-            if distance is not None and low <= path.y + distance * path.dy <= high:
-                yield Contact(distance, UP, Floor((position[0], low, tread.height), tread.surface))
+            solid = tread.surface & SurfaceFlag.COLLISION
+            distance = path.to_level(tread.height + path.radius) if solid else None
+            if distance is not None and low <= (y := path.y + distance * path.dy) <= high:
+                yield Contact(distance, UP, Floor((position[0], y, tread.height), tread.surface))
 
     def _walls(self, path: _Path) -> Iterator[Contact]:
         for (before, after), side in ((pair, side) for pair in self._risers() for side in (-1.0, 1.0)):
@@ -164,7 +165,9 @@ class Steps:
     def _edges(self, path: _Path, position: Vector) -> Iterator[Contact]:
         for before, after in self._risers():
             upper = max(before, after, key=lambda tread: tread.height)
-            distance = path.to_point(after.start, upper.height)
+            distance = (
+                path.to_point(after.start, upper.height) if upper.surface & SurfaceFlag.COLLISION else None
+            )
             if distance is None:
                 continue
             away = (path.y + distance * path.dy - after.start, path.z + distance * path.dz - upper.height)

@@ -201,8 +201,7 @@ class Simulation:
             fall = gravity.slope_acceleration(
                 b, grip, moving=bool(self.velocity.any()), gravity=world.gravity
             )
-        total = total + np.array([0.0, 0.0, fall])
-        return total
+        return np.add(total, (0.0, 0.0, fall))
 
     def _rested(self, velocity: Float64, acceleration: Float64, pull: float) -> Float64:
         """What is left of a velocity that is too slow to count: the engine always looks, the document at
