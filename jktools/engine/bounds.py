@@ -8,17 +8,21 @@ import numpy.typing as npt
 Float64 = npt.NDArray[np.float64]
 
 LIMIT = 1e30
-"""Greatest magnitude that a rule computes with, in the unit of the input.
+"""Greatest magnitude that a rule computes with, and 1 / LIMIT the least, in the unit of the input.
 
 The longest product in this package has ten factors (the position in a fourth-order step), and 1e30 to the
-tenth is the last power below the greatest float64, 1.8e308. Nothing in the game comes near 1e30.
+tenth is the last power of 1e30 below the greatest float64, 1.8e308. Nothing in the game comes near either
+end.
 """
 
 
 def bounded(values: npt.ArrayLike) -> Float64:
-    """Convert to float64 and saturate at `LIMIT`, infinities too; NaN passes through."""
+    """Convert to float64, saturate at `LIMIT`, infinities too, and flush what is below 1 / `LIMIT` to 0.
+
+    NaN passes through.
+    """
     array: Float64 = np.asarray(values, np.float64)
-    return np.clip(array, -LIMIT, LIMIT)
+    return np.where(np.abs(array) < 1 / LIMIT, 0.0, np.clip(array, -LIMIT, LIMIT))
 
 
 def length(vectors: npt.ArrayLike) -> Float64:

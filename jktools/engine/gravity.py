@@ -114,7 +114,8 @@ def apply_force(body: Body, force: npt.ArrayLike) -> Push:
     sithPhysics_ThingApplyForce's.
     """
     vector = bounded(force)
-    if body.mass <= 0:
+    mass = bounded(body.mass)
+    if mass <= 0:
         return Push(np.zeros_like(vector), False, False)
-    change = bounded(vector / bounded(body.mass))
+    change = bounded(vector / mass)
     return Push(change, bool(change[..., 2] > LIFTING_FORCE), True)

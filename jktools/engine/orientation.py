@@ -14,10 +14,10 @@ import numpy.typing as npt
 
 from jktools.engine.bounds import Float64, bounded
 
-GIMBAL_COSINE = 1e-7
-"""Cosine of pitch below which yaw and roll turn about one axis. The cosine of a matrix that was computed in
-float64 is good to about 1e-8 near the poles (the square root of the rounding), so anything below this is
-noise.
+GIMBAL_COSINE = 1e-8
+"""Cosine of pitch below which yaw and roll count as turning about one axis. Taking them for one costs this
+much in the rebuilt matrix, telling them apart the matrix's own rounding (1e-16) over it: 1e-8 is where the
+two meet.
 """
 
 

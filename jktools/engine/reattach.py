@@ -6,12 +6,13 @@ Research document, "Descending From Height"; sithPhysics_FindFloor in the decomp
 from __future__ import annotations
 
 import enum
+import math
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.bounds import Float64, bounded
+from jktools.engine.bounds import LIMIT, Float64, bounded
 from jktools.engine.hover import CROUCHED_INSERT_OFFSET, LEAST_CLEARANCE, SETTLING_SPEED, hover_height
 from jktools.engine.profile import Engine
 
@@ -120,18 +121,30 @@ def step_up(
 
 
 def walk_down(
-    drops: npt.ArrayLike, treads: npt.ArrayLike, speed: float, limit: float, *, lag: float = 0.0
+    drops: npt.ArrayLike,
+    treads: npt.ArrayLike,
+    speed: float,
+    limit: float,
+    *,
+    edge_limit: float = math.inf,
+    overhang: float = 0.0,
 ) -> Flight:
-    """Follow a body down a flight: `drops` `(n,)` JKU, each followed by its tread `(n,)` JKU, at `speed`
-    JKU/s.
+    """Follow a body down a flight at `speed` JKU/s: `drops` `(n,)` JKU, each before its tread `(n,)` JKU.
 
-    The body sinks at 0.5 JKU/s, so on stairs steeper than that it lags behind: lag' = max(0, lag + drop - 0.5
-    tread / speed), and a step is seamless while lag + drop is within `limit`, the reattach distance. After
+    The body sinks at 0.5 JKU/s, so on stairs steeper than that it lags behind: lag' = max(0, lag + drop -
+    0.5 tread / speed), and a step is seamless while lag + drop is within `limit`, the reattach distance. After
     the first that is not, the body falls, and the rest are not seamless.
+
+    In `openjkdf2` a step beyond `edge_limit`, the hover height, is judged only `overhang`, the movesize, past its
+    edge; until there the body sinks towards the old tread and gains 0.5 overhang / speed. (A lag above the hover
+    height lets go up to 0.005 JKU earlier, which this leaves out.)
     """
     drop, tread = np.broadcast_arrays(bounded(drops), bounded(treads))
-    lags = np.empty(len(drop))
-    for i, sinking in enumerate(SETTLING_SPEED * tread / max(speed, 1e-30)):
-        lags[i] = lag
-        lag = max(0.0, lag + float(drop[i]) - float(sinking))
-    return Flight(lags, np.logical_and.accumulate(lags + drop <= limit))
+    sinking = SETTLING_SPEED / max(speed, 1 / LIMIT)
+    lags, seamless, lag = np.empty(len(drop)), np.empty(len(drop), np.bool_), 0.0
+    for i, (d, t) in enumerate(zip(drop.tolist(), tread.tolist(), strict=True)):
+        late = overhang if lag + d > edge_limit else 0.0
+        kept = max(0.0, lag - sinking * late)
+        lags[i], seamless[i] = lag, kept + d <= limit
+        lag = max(0.0, kept + d - sinking * max(0.0, t - late))
+    return Flight(lags, np.logical_and.accumulate(seamless))

@@ -172,4 +172,4 @@ def actor_acceleration(
         vector[..., 2] = 0.0
     size = length(vector)[..., None]
     unit = np.divide(vector, size, out=np.zeros_like(vector), where=size != 0)
-    return unit * (body.maxthrust * move_speed)
+    return unit * bounded(body.maxthrust * move_speed)
