@@ -132,12 +132,12 @@ def walk_down(
     """Follow a body down a flight at `speed` JKU/s: `drops` `(n,)` JKU, each before its tread `(n,)` JKU.
 
     The body sinks at 0.5 JKU/s, so on stairs steeper than that it lags behind: lag' = max(0, lag + drop -
-    0.5 tread / speed), and a step is seamless while lag + drop is within `limit`, the reattach distance. After
-    the first that is not, the body falls, and the rest are not seamless.
+    0.5 tread / speed), and a step is seamless while lag + drop is within `limit`, the reattach distance.
+    After the first that is not, the body falls, and the rest are not seamless.
 
-    In `openjkdf2` a step beyond `edge_limit`, the hover height, is judged only `overhang`, the movesize, past its
-    edge; until there the body sinks towards the old tread and gains 0.5 overhang / speed. (A lag above the hover
-    height lets go up to 0.005 JKU earlier, which this leaves out.)
+    In `openjkdf2` a step beyond `edge_limit`, the hover height, is judged only `overhang`, the movesize, past
+    its edge; until there the body sinks towards the old tread and gains 0.5 overhang / speed. (A lag above the
+    hover height lets go up to 0.005 JKU earlier, which this leaves out.)
     """
     drop, tread = np.broadcast_arrays(bounded(drops), bounded(treads))
     sinking = SETTLING_SPEED / max(speed, 1 / LIMIT)
