@@ -12,6 +12,8 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 DEBIAN := python3-venv python3-dev g++ libcgal-dev doctest-dev git
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 NATIVE := CMakeLists.txt $(shell find native runtime -name '*.[ch]pp' -o -name '*.h')
+# The editable install knows the modules that were there when it was made: a new file changes its folder's time.
+FOLDERS := $(shell find jktools grammars -type d ! -name __pycache__)
 
 .PHONY: demo test bench fresh check native-test pytest generate clean
 
@@ -60,6 +62,6 @@ $(VENV)/tools: $(VENV)/debian pyproject.toml
 	pip install -q --group build --group dev
 	@touch $@
 
-$(VENV)/built: $(VENV)/tools $(NATIVE)
+$(VENV)/built: $(VENV)/tools $(NATIVE) $(FOLDERS)
 	pip install -q --no-build-isolation --editable . -C build-dir=build/native -C cmake.define.JKTOOLS_NATIVE_TESTS=ON
 	@touch $@

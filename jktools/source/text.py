@@ -25,9 +25,13 @@ class Source:
     that way every byte is one character and offsets in `text` are offsets in `data`.
     """
 
-    def __init__(self, path: str, data: bytes | memoryview) -> None:
-        """Take `path` as users wrote it (`pack.gob!jkl/x.jkl`) and the bytes, which may be a mapped view."""
+    def __init__(self, path: str, data: bytes | memoryview, name: str | None = None) -> None:
+        """Take `path` as users wrote it (`pack.gob!jkl/x.jkl`) and the bytes, which may be a mapped view.
+
+        `name` is the file's path inside its pack, or its base name: what stays the same on every machine.
+        """
         self.path = path
+        self.name = path if name is None else name
         self.data = memoryview(data)
 
     def __repr__(self) -> str:
