@@ -35,7 +35,7 @@ pytest: $(VENV)/built
 	pytest --durations=10
 
 bench: $(VENV)/built
-	pytest benchmarks --benchmark-only --benchmark-disable-gc -s
+	pytest benchmarks -s --benchmark-enable -o python_files="bench_*.py"
 
 fresh:
 	tests/fresh.sh

@@ -33,5 +33,5 @@ def _digest(data: memoryview | bytes | bytearray) -> bytes:
 
 
 def _stored(data: memoryview | bytes | bytearray) -> npt.NDArray[np.uint8]:
-    stored: npt.NDArray[np.uint8] = fb.Level.GetRootAs(data).ChecksumAsNumpy()
+    stored: npt.NDArray[np.uint8] = fb.Level.GetRootAs(data).ChecksumAsNumpy()  # type: ignore[no-untyped-call]
     return stored

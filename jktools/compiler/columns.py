@@ -134,15 +134,12 @@ COGS: Mapping[str, Column] = MappingProxyType(
     }
 )
 
-RESOURCES: Mapping[str, Column] = MappingProxyType(
-    {
-        key: _TEXT
-        for key in (
-            "sounds", "materials", "colormaps", "aiclasses", "models", "sprites", "keyframes", "animclasses",
-            "soundclasses", "cogscripts",
-        )
-    }
+_LISTS = (
+    "sounds", "materials", "colormaps", "aiclasses", "models", "sprites", "keyframes", "animclasses", "soundclasses",
+    "cogscripts",
 )  # fmt: skip
+
+RESOURCES: Mapping[str, Column] = MappingProxyType(dict.fromkeys(_LISTS, _TEXT))
 
 SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
     {

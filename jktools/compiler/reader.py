@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from jktools._native_file import verify_level
+from jktools._native_file import verify_level  # noqa: TID251 (this package is the door)
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import is_intact
 from jktools.compiler.columns import SECTIONS, Column
@@ -75,7 +75,7 @@ class CompiledLevel:
             raise CompiledFileError(f"cannot read {self.path}: not a compiled level (no {IDENTIFIER.decode()} mark)")
         if not verify_level(octets):
             raise CompiledFileError(f"cannot read {self.path}: the file is cut off or damaged; build it again")
-        root = fb.Level.GetRootAs(self.data)
+        root = fb.Level.GetRootAs(self.data)  # type: ignore[no-untyped-call]
         if root.FormatMajor() != FORMAT_MAJOR:
             raise CompiledFileError(
                 f"cannot read {self.path}: format version {root.FormatMajor()}.{root.FormatMinor()}, but this jktools "
@@ -131,6 +131,24 @@ class CompiledLevel:
             "game": settings.Game().decode(),
             "engine": settings.Engine().decode(),
             "accuracy": settings.Accuracy().decode(),
+        }
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many of each kind of object it holds."""
+        counted = {
+            "vertices": ("geometry", "vertices"),
+            "texture_vertices": ("geometry", "texture_vertices"),
+            "surfaces": ("geometry", "surface_flags"),
+            "sectors": ("geometry", "sector_flags"),
+            "adjoins": ("geometry", "adjoin_flags"),
+            "templates": ("templates", "source"),
+            "things": ("things", "source"),
+            "cogs": ("cogs", "source"),
+        }
+        return {
+            kind: len(self.sections[section].columns[column]) if section in self.sections else 0
+            for kind, (section, column) in counted.items()
         }
 
     @property

@@ -135,7 +135,11 @@ def _inputs(builder: flatbuffers.Builder, level: Level) -> int:
     return _offsets(builder, [_table(builder, "Input", path=path, sha256=_vector(builder, digest))])
 
 
-WHY_NOT = {"templates": "the level lists no template", "things": "no thing is placed", "cogs": "no COG is placed"}
+WHY_NOT = {
+    "templates": "the level lists no template",
+    "things": "no thing is placed",
+    "cogs": "no COG is placed",
+}
 """Why a section is absent."""
 
 

@@ -10,6 +10,7 @@ from jktools.linter.registry import rules
 from jktools.linter.rule import RULE_FAILED, Rule
 from jktools.model import Level
 
+
 def lint(level: Level, chosen: Sequence[Rule] | None = None, facts: LevelFacts | None = None) -> list[Diagnostic]:
     """Run rules (all, when none are chosen) over a level and sort what they find.
 

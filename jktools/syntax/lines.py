@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from jktools._native_text import COMMENT_IN_WORD, CUT, TAIL, logical_lines
+from jktools._native_text import COMMENT_IN_WORD, CUT, TAIL, logical_lines  # noqa: TID251 (this package is the door)
 from jktools.source import Source, Span
 
 BUFFER_SIZE: Mapping[str, int] = MappingProxyType({"jk": 1024, "mots": 2048})
@@ -44,7 +44,8 @@ class LogicalLines:
         whole = self.source.span(self._starts[first], self._ends[last - 1])
         text = whole.text
         return self.source.span(
-            whole.start + len(text) - len(text.lstrip()), max(whole.start, whole.end - len(text) + len(text.rstrip()))
+            whole.start + len(text) - len(text.lstrip()),
+            max(whole.start, whole.end - len(text) + len(text.rstrip())),
         )
 
     def part(self, line: int, start: int, end: int) -> Span:

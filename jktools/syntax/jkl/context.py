@@ -75,14 +75,13 @@ class Context:
         severity: Severity | None = None,
         note: str = "",
     ) -> None:
-        """Tell a fault; `place` may be a logical line."""
+        """Tell a fault; `place` may be a logical line, or one that is not there for the file as such."""
         if len(self.diagnostics) >= MOST_FAULTS:
             self._untold += 1
             return
-        where = self.lines.span(place) if isinstance(place, int) else place
-        self.diagnostics.append(
-            Diagnostic(code, severity or code.severity, Label(where, note), message, help, subject)
-        )
+        if isinstance(place, int):
+            place = self.lines.span(place) if 0 <= place < len(self.lines) else self.source
+        self.diagnostics.append(Diagnostic(code, severity or code.severity, Label(place, note), message, help, subject))
 
     def finish(self) -> tuple[Diagnostic, ...]:
         """Everything that was told, in the order of the file."""

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import lark
 import numpy as np
 
 from jktools.diagnostics import Subject
 from jktools.syntax.jkl import faults, lists, records
 from jktools.syntax.jkl.context import Context
-from jktools.syntax.jkl.document import Adjoins, Heading, NameList, Normals, Surfaces, TextureVertices, Vertices
+from jktools.syntax.jkl.document import (
+    Adjoins,
+    Heading,
+    NameList,
+    Normals,
+    Surfaces,
+    TextureVertices,
+    Vertices,
+)
 from jktools.syntax.jkl.records import Record
 from jktools.syntax.jkl.rows import Rows, floats, ints
 
@@ -160,46 +168,54 @@ def _tail(
     context: Context, line: int, fields: Sequence[str], subject: Subject
 ) -> tuple[Sequence[str], Sequence[str]] | None:
     """The index pairs and intensities behind a surface's fields, or None when they do not suffice."""
-    rest = list(fields[_FEWEST_SURFACE_WORDS:])
-    if not isinstance(fields[0], lark.Token):  # read loosely: the fields alone are known
-        words = context.lines.text(line).replace(",", " ").split()[_FEWEST_SURFACE_WORDS:]
-        rest = [word for word in words if _is_number(word)]
     count = int(fields[_FEWEST_SURFACE_WORDS - 1])
-    named = f"surface {subject.index}"
+    rest = _numbers(context, line, count, fields, subject)
     if count < 0 or len(rest) < 2 * count:
         context.fault(
             faults.MALFORMED_RECORD, line,
-            f"{named} announces {count} vertices, but the line has indices for {len(rest) // 2}",
+            f"surface {subject.index} announces {count} vertices, but the line has indices for {len(rest) // 2}",
             "write a vertex and a texture vertex for each; the engine refuses a level with such a record", subject,
         )  # fmt: skip
         return None
-    pairs, light = rest[: 2 * count], rest[2 * count :]
-    odd = next((word for word in pairs if not word.lstrip("+-").isdigit()), None)
-    if odd is not None:
-        context.fault(
-            faults.MALFORMED_RECORD, line, f'{named}: expected a vertex index, a whole number, but found "{odd}"',
-            "write index pairs as vertex,texture vertex", subject,
-        )  # fmt: skip
-        return None
+    return rest[: 2 * count], _light(context, line, count, rest[2 * count :], subject)
+
+
+def _numbers(context: Context, line: int, count: int, fields: Sequence[str], subject: Subject) -> list[str]:
+    """What stands behind a surface's fields; of words that are no numbers the prefix that the engine reads."""
+    rest = list(fields[_FEWEST_SURFACE_WORDS:])
+    words = list(re.finditer(r"[^\s,]+", context.lines.text(line)))[_FEWEST_SURFACE_WORDS:]
+    if len(rest) == len(words) and all(map(_is_whole, rest[: 2 * count])):
+        return rest
+    taken = []
+    for i, word in enumerate(words):
+        kind = records.Kind.INT if i < 2 * count else records.Kind.FLOAT
+        read = records.prefix(kind, word.group())
+        if read != word.group():
+            context.fault(
+                faults.LOOSELY_READ_RECORD, context.lines.part(line, word.start(), word.end()),
+                f'surface {subject.index}: expected {kind.value}, but found "{word.group()}"; the engine reads {read}',
+                "write the value that you mean", subject,
+            )  # fmt: skip
+        taken.append(read)
+    return taken
+
+
+def _is_whole(text: str) -> bool:
+    return text.lstrip("+-").isdigit()
+
+
+def _light(context: Context, line: int, count: int, light: Sequence[str], subject: Subject) -> Sequence[str]:
+    """The intensities of a surface: four a corner where there are so many, else one."""
     wanted = LIGHTS_PER_CORNER_RGB * count if len(light) >= LIGHTS_PER_CORNER_RGB * count else count
     if len(light) != wanted:
         less = len(light) < wanted
         context.fault(
             faults.LOOSELY_READ_RECORD, line,
-            f"{named} has {count} vertices, but {len(light)} intensities",
+            f"surface {subject.index} has {count} vertices, but {len(light)} intensities",
             ("write one for each vertex; the engine takes left-over values for the rest" if less
              else "remove what the engine does not read"), subject,
         )  # fmt: skip
-        light = [*light[:wanted], *["0"] * (wanted - len(light))]
-    return pairs, light
-
-
-def _is_number(word: str) -> bool:
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return word[-1].isdigit() or word[-1] == "."
+    return [*light[:wanted], *["0"] * (wanted - len(light))]
 
 
 def _normals(context: Context, surfaces: int) -> Normals:

@@ -28,9 +28,7 @@ class ListSection:
 SECTIONS: Mapping[str, ListSection] = MappingProxyType(
     {
         "sounds": ListSection("sounds", "world sounds", "sound", records.SOUND),
-        "materials": ListSection(
-            "materials", "world materials", "material", records.MATERIAL, refuses_surplus=True
-        ),
+        "materials": ListSection("materials", "world materials", "material", records.MATERIAL, refuses_surplus=True),
         "aiclass": ListSection("aiclasses", "world aiclasses", "aiclass"),
         "models": ListSection("models", "world models", "model"),
         "sprites": ListSection("sprites", "world sprites", "sprite"),

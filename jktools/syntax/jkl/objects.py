@@ -111,5 +111,3 @@ def read_things(context: Context) -> Things:
 
 def _is_index(word: str) -> bool:
     return word.lstrip("+-").isdigit()
-
-

@@ -1,4 +1,4 @@
-"""The kinds of line in a JKL: which grammar rule reads them, what their fields are, what the engine makes of bad ones."""
+"""The kinds of line in a JKL: which rule reads them, what their fields are, what the engine makes of bad ones."""
 
 from __future__ import annotations
 
@@ -101,10 +101,11 @@ class Record:
         words = self.words(text).split()
         if len(words) < len(self.fields):
             return None
-        return [_prefix(f.kind, word) for f, word in zip(self.fields, words, strict=False)]
+        return [prefix(f.kind, word) for f, word in zip(self.fields, words, strict=False)]
 
 
-def _prefix(kind: Kind, word: str) -> str:
+def prefix(kind: Kind, word: str) -> str:
+    """What the engine's field reader makes of a word: its longest prefix that fits, or 0."""
     if kind in (Kind.LABEL, Kind.WORD):
         return word
     found = re.match(_PREFIX[kind], word, re.ASCII)
@@ -125,8 +126,8 @@ def parse_any(rule: str, text: str) -> tuple[str, list[lark.Token]]:
 
 
 START_RULES = (
-    "section", "count", "header_line", "sound", "entry", "material", "vertex", "texture_vertex", "adjoin", "surface", "normal",
-    "sector_line", "sector_vertex", "cog", "template", "thing", "arch_line",
+    "section", "count", "header_line", "sound", "entry", "material", "vertex", "texture_vertex", "adjoin", "surface",
+    "normal", "sector_line", "sector_vertex", "cog", "template", "thing", "arch_line",
 )  # fmt: skip
 
 

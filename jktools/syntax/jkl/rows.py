@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from jktools._native_text import decimals
+from jktools._native_text import decimals  # noqa: TID251 (this package is the door)
 from jktools.syntax.jkl.document import Bool, Float32, Int32, UInt32
 from jktools.syntax.jkl.records import Kind, Record
 

@@ -165,5 +165,3 @@ def _table(context: Context, heading: Heading | None, sectors: list[_Sector]) ->
         surface_count=np.ascontiguousarray(range_[:, 1]),
         line_of=MappingProxyType({alias: lines(alias) for alias in _ORDER}),
     )
-
-

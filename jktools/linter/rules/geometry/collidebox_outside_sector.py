@@ -30,15 +30,17 @@ def collidebox_outside_sector(level: Level, facts: LevelFacts) -> Iterator[Findi
         CollideBox .1 .1 .1 .9 .9 .9
     """
     sectors, outside = facts.collide_boxes
-    for index, surface, distance in zip(sectors.tolist(), *map(list, outside), strict=True):
+    for index, surface, distance in zip(
+        sectors.tolist(), outside.surface.tolist(), outside.distance.tolist(), strict=True
+    ):
         if distance <= TOLERANCE:
             continue
-        sector, wall = level.sectors[index], level.surfaces[int(surface)]
+        sector, wall = level.sectors[index], level.surfaces[surface]
         yield Finding(
             Label(sector.line_span("collide_box")),
             f"the collide box of sector {index} lies {distance:.6g} JKU behind surface {wall.index} "
             f"(sector {index}, surface {wall.index - sector.first_surface}), but should lie inside the sector",
             "shrink the box, or remove the line: without it the engine tests every surface",
             sector.subject,
-            (Label(wall.span, f"surface {wall.index}"),),
+            (Label(wall.head_span, f"surface {wall.index}"),),
         )

@@ -46,7 +46,7 @@ def sector_not_convex(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             "cleave the sector along that surface",
             sector.subject,
             (
-                Label(surface.span, f"surface {surface.index}"),
+                Label(surface.head_span, f"surface {surface.index}"),
                 Label(level.line_span(int(level.document.vertices.lines[vertex])), f"vertex {vertex}"),
             ),
         )

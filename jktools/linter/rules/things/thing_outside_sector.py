@@ -46,5 +46,5 @@ def thing_outside_sector(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             f"surface {surface.index}",
             "move the thing, or name the sector that it lies in",
             thing.subject,
-            (Label(surface.span, f"surface {surface.index}"),),
+            (Label(surface.head_span, f"surface {surface.index}"),),
         )
