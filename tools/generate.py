@@ -34,7 +34,6 @@ def native_stubs(into: Path) -> list[Path]:
             ],
             check=True,
         )
-        subprocess.run([sys.executable, "-m", "ruff", "format", "-q", str(target)], check=True, cwd=ROOT)
         made.append(target)
     return made
 
