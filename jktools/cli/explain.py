@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from jktools.linter import UnknownRuleError, find_rule
+from jktools.linter.rule import options_of
 
 
 @click.command("explain")
@@ -16,4 +17,6 @@ def command(code: str) -> int:
     except UnknownRuleError as error:
         raise click.UsageError(str(error)) from error
     click.echo(f"{rule.code.id} {rule.code.name} ({rule.code.severity}, since {rule.since})\n\n{rule.docs}")
+    for option in options_of(rule):
+        click.echo(f"\n{option.name} = {option.default}: {option.description}")
     return 0
