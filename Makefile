@@ -1,6 +1,7 @@
 # make demo    set up, then lint and compile the fixture level
 # make test    set up, then every check and test
 # make bench   set up, then the benchmarks
+# make fuzz    the long random tests
 # make fresh   demo and test in an empty Debian 12 (needs root and debootstrap)
 
 PYTHON ?= python3
@@ -15,7 +16,7 @@ NATIVE := CMakeLists.txt $(shell find native runtime -name '*.[ch]pp' -o -name '
 # The editable install knows the modules that were there when it was made: a new file changes its folder's time.
 FOLDERS := $(shell find jktools grammars -type d ! -name __pycache__)
 
-.PHONY: demo test bench fresh check native-test pytest generate clean
+.PHONY: demo test bench fuzz fresh check native-test pytest generate clean
 
 demo: $(VENV)/built
 	@fixtures/demo.sh
@@ -36,6 +37,10 @@ pytest: $(VENV)/built
 
 bench: $(VENV)/built
 	pytest benchmarks -s --benchmark-enable -o python_files="bench_*.py"
+
+# The tests that grow with the time they are given: every corpus level, thousands of random faults.
+fuzz: $(VENV)/built
+	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py
 
 fresh:
 	tests/fresh.sh

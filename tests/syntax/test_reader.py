@@ -107,6 +107,15 @@ def test_the_engine_reads_the_longest_prefix() -> None:
     assert level.vertices[3].tolist() == [0, 1, 0.5]
 
 
+def test_a_thing_number_without_colon_is_read_as_a_number_all_the_same() -> None:
+    level = level_of(
+        two_rooms("World things 3", "- 1: ghost ghost .5 1.5 .5 0 90 0 1", "4; ghost ghost .5 1.5 .5 0 0 0 1")
+    )
+    assert level.things[1].number == 4
+    (told,) = level.diagnostics
+    assert told.message == 'thing 1: expected the label, a number and a colon, but found "4;"; the engine reads 4'
+
+
 def test_hex_fields_are_hex_with_or_without_the_prefix() -> None:
     assert level_of(two_rooms("World adjoins 2", "0: 10 1 1")).adjoins[0].flags == 0x10
 

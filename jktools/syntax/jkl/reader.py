@@ -21,6 +21,7 @@ from jktools.syntax.jkl.objects import read_cogs, read_templates, read_things
 from jktools.syntax.jkl.records import HEADER_LINES
 from jktools.syntax.jkl.rows import floats
 from jktools.syntax.jkl.sectors import read_sectors
+from jktools.syntax.lines import SECTION
 
 COPYRIGHT_LINES = 34
 """Lines that the engine takes from COPYRIGHT (sithCopyright_Load)."""
@@ -34,13 +35,14 @@ GEOMETRY = "georesource"
 """A JKL without this section is no level: static.jkl holds only resources and templates."""
 
 
-def read(source: Source, game: str = "jk") -> Document:
+def read(source: Source, game: str = "jk", *, strict_grammar: bool = False) -> Document:
     """Read a JKL as the engine of `game` (`jk` or `mots`) does, and tell what it would not.
 
     Never raises on bad input: what cannot be read is told in `Document.diagnostics`, keeps its place in its
-    table, and the rest of the file is read on.
+    table, and the rest of the file is read on. With `strict_grammar` the Lark grammar reads every record, which
+    is slow and gives the same document.
     """
-    context = Context(source, game)
+    context = Context(source, game, strict_grammar)
     parts: dict[str, Any] = {}
     lists: dict[str, NameList] = {}
     sections: dict[str, int] = {}
@@ -66,17 +68,16 @@ def read(source: Source, game: str = "jk") -> Document:
 
 def _next_section(context: Context) -> str | None:
     """Move behind the next `section:` line and give its name in lower case."""
-    while not context.done:
-        text = context.text()
-        context.at += 1
-        if re.match(r"\s*section:", text, re.IGNORECASE):
-            try:
-                return str(records.parser().parse(text, start="section").children[0]).lower()
-            except lark.UnexpectedInput:
-                context.fault(
-                    faults.MALFORMED_RECORD, context.at - 1, f"expected the name of a section, but found {quote(text)}",
-                    "write a name behind SECTION:",
-                )  # fmt: skip
+    while (line := context.lines.next_of(SECTION, context.at)) < len(context.lines):
+        context.at = line + 1
+        try:
+            return str(records.parser().parse(context.lines.text(line), start="section").children[0]).lower()
+        except lark.UnexpectedInput:
+            context.fault(
+                faults.MALFORMED_RECORD, line,
+                f"expected the name of a section, but found {quote(context.lines.text(line))}",
+                "write a name behind SECTION:",
+            )  # fmt: skip
     return None
 
 
@@ -168,7 +169,8 @@ def _read_header(context: Context) -> Header:
             continue
         expected = order.index(alias) + 1
         lines[alias] = context.at
-        fields = context.record(HEADER_LINES[alias], Subject("header", expected - 1))
+        fields = context.record(HEADER_LINES[alias], context.at, Subject("header", expected - 1))
+        context.at += 1
         if fields is not None:
             values[alias] = fields
     if expected < len(order) and lines:
