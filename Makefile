@@ -1,6 +1,7 @@
 # make demo    set up, then lint and compile the fixture level
 # make test    set up, then every check and test
 # make bench   set up, then the benchmarks
+# make fuzz    the long random tests
 # make fresh   demo and test in an empty Debian 12 (needs root and debootstrap)
 
 PYTHON ?= python3
@@ -12,8 +13,10 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 DEBIAN := python3-venv python3-dev g++ libcgal-dev doctest-dev git
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 NATIVE := CMakeLists.txt $(shell find native runtime -name '*.[ch]pp' -o -name '*.h')
+# The editable install knows the modules that were there when it was made: a new file changes its folder's time.
+FOLDERS := $(shell find jktools grammars -type d ! -name __pycache__)
 
-.PHONY: demo test bench fresh check native-test pytest generate clean
+.PHONY: demo test bench fuzz fresh check native-test pytest generate clean
 
 demo: $(VENV)/built
 	@fixtures/demo.sh
@@ -33,7 +36,11 @@ pytest: $(VENV)/built
 	pytest --durations=10
 
 bench: $(VENV)/built
-	pytest benchmarks --benchmark-only --benchmark-disable-gc -s
+	pytest benchmarks -s --benchmark-enable -o python_files="bench_*.py"
+
+# The tests that grow with the time they are given: every corpus level, thousands of random faults.
+fuzz: $(VENV)/built
+	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py
 
 fresh:
 	tests/fresh.sh
@@ -60,6 +67,6 @@ $(VENV)/tools: $(VENV)/debian pyproject.toml
 	pip install -q --group build --group dev
 	@touch $@
 
-$(VENV)/built: $(VENV)/tools $(NATIVE)
+$(VENV)/built: $(VENV)/tools $(NATIVE) $(FOLDERS)
 	pip install -q --no-build-isolation --editable . -C build-dir=build/native -C cmake.define.JKTOOLS_NATIVE_TESTS=ON
 	@touch $@

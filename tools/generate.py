@@ -22,10 +22,18 @@ def native_stubs(into: Path) -> list[Path]:
         target = into / f"jktools/_native_{door}.pyi"
         target.parent.mkdir(parents=True, exist_ok=True)
         subprocess.run(
-            [sys.executable, "-m", "nanobind.stubgen", "-q", "-m", f"jktools._native_{door}", "-o", str(target)],
+            [
+                sys.executable,
+                "-m",
+                "nanobind.stubgen",
+                "-q",
+                "-m",
+                f"jktools._native_{door}",
+                "-o",
+                str(target),
+            ],
             check=True,
         )
-        subprocess.run([sys.executable, "-m", "ruff", "format", "-q", str(target)], check=True, cwd=ROOT)
         made.append(target)
     return made
 
@@ -35,7 +43,16 @@ def level_code(into: Path) -> list[Path]:
     header, module = into / "runtime/level_generated.h", into / "jktools/compiler/level_generated.py"
     for target, options in ((header, ["--cpp"]), (module, ["--python", "--gen-onefile"])):
         target.parent.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["flatc", *options, "-o", str(target.parent), str(ROOT / SCHEMA)], check=True)
+        subprocess.run(
+            [
+                str(Path(sys.executable).parent / "flatc"),
+                *options,
+                "-o",
+                str(target.parent),
+                str(ROOT / SCHEMA),
+            ],
+            check=True,
+        )
     return [header, module]
 
 

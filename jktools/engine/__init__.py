@@ -1,1 +1,1 @@
-"""What the game does: pure functions, one module a system, each in the profiles of `profile.Engine`."""
+"""What the game does: the rules of the engine, one module a system, in profiles."""

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from jktools._native_geometry import points_outside as native_points_outside
-from jktools._native_geometry import sector_convexity as native_sector_convexity
+from jktools._native_geometry import points_outside as native_points_outside  # noqa: TID251 (this package is the door)
+from jktools._native_geometry import sector_convexity as native_sector_convexity  # noqa: TID251 (this package is the door)
 from jktools.model import Level
 
 Float64 = npt.NDArray[np.float64]

@@ -44,7 +44,7 @@ def find_rule(typed: str) -> Rule:
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """Which rules run: codes, prefixes of codes (`JK2`) or names; nothing selected means all."""
+    """Which rules run: codes, prefixes of codes (`JK2`) or names; nothing selected means all that are on."""
 
     select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
@@ -56,8 +56,11 @@ def select(selection: Selection) -> tuple[Rule, ...]:
     Raises UnknownRuleError.
     """
     chosen, left_out = _specificity(selection.select), _specificity(selection.ignore)
-    everything = 0 if not selection.select else -1
-    return tuple(r for r in rules() if chosen.get(r.code.id, everything) > left_out.get(r.code.id, -1))
+
+    def default(each: Rule) -> int:
+        return 0 if each.on and not selection.select else -1
+
+    return tuple(r for r in rules() if chosen.get(r.code.id, default(r)) > left_out.get(r.code.id, -1))
 
 
 def _specificity(typed: Sequence[str]) -> dict[str, int]:

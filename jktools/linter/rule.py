@@ -6,6 +6,9 @@ import inspect
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from typing import Any, NamedTuple, get_args, get_type_hints
+
+import msgspec
 
 from jktools.diagnostics import Code, Diagnostic, Label, Severity, Subject
 from jktools.facts import LevelFacts
@@ -26,7 +29,17 @@ class Finding:
 RULE_FAILED = Code("JK901", "rule-failed", Severity.ERROR)
 """A bug in jktools, not in the level."""
 
-Check = Callable[[Level, LevelFacts], Iterable[Finding | Diagnostic]]
+
+class Options(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What can be set for one rule in `[rules.<code>]` of the configuration; a rule declares its own subclass.
+
+    Each field has a default and says in `msgspec.Meta` what it is, in which unit and within which bounds: help, docs
+    and the check of a configuration come from that one declaration.
+    """
+
+
+Check = Callable[..., Iterable[Finding | Diagnostic]]
+"""`check(level, facts)`, or `check(level, facts, options)` for a rule that has options."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +56,15 @@ class Rule:
     code: Code
     since: str
     check: Check
+    options: type[Options] | None = None
+    on: bool = True
+    """Whether it runs unless selected or ignored; what is noisy on real levels is off."""
+
+    def run(self, level: Level, facts: LevelFacts, options: Options | None = None) -> Iterable[Finding | Diagnostic]:
+        """Check a level with these options, or the defaults."""
+        if self.options is None:
+            return self.check(level, facts)
+        return self.check(level, facts, options if options is not None else self.options())
 
     @property
     def module(self) -> str:
@@ -77,11 +99,16 @@ class Rule:
                     yield Example(tuple(line[4:] for line in block.splitlines()))
 
 
-def rule(code: str, name: str, *, severity: Severity, since: str) -> Callable[[Check], Rule]:
-    """Make a rule of a function `check(level, facts)` that yields findings."""
+def rule(
+    code: str, name: str, *, severity: Severity, since: str, options: type[Options] | None = None, on: bool = True
+) -> Callable[[Check], Rule]:
+    """Make a rule of a function `check(level, facts)` that yields findings.
+
+    With `options` the function takes an instance of them as its third argument.
+    """
 
     def make(check: Check) -> Rule:
-        return Rule(Code(code, name, severity), since, check)
+        return Rule(Code(code, name, severity), since, check, options, on)
 
     return make
 
@@ -97,3 +124,24 @@ def reading_rule(code: Code, *, since: str) -> Callable[[Callable[[], None]], Ru
         return Rule(code, since, check)
 
     return make
+
+
+class Described(NamedTuple):
+    """An option as docs and help show it."""
+
+    name: str
+    default: Any
+    description: str
+
+
+def options_of(each: Rule) -> list[Described]:
+    """The options of a rule, from its one declaration."""
+    if each.options is None:
+        return []
+    hints = get_type_hints(each.options, include_extras=True)
+    return [
+        Described(
+            f.name, f.default, next(m.description for m in get_args(hints[f.name]) if isinstance(m, msgspec.Meta)) or ""
+        )
+        for f in msgspec.structs.fields(each.options)
+    ]

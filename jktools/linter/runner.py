@@ -2,28 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from jktools.diagnostics import Diagnostic, Label, Subject
 from jktools.facts import LevelFacts
 from jktools.linter.registry import rules
-from jktools.linter.rule import RULE_FAILED, Rule
+from jktools.linter.rule import RULE_FAILED, Options, Rule
 from jktools.model import Level
 
-def lint(level: Level, chosen: Sequence[Rule] | None = None, facts: LevelFacts | None = None) -> list[Diagnostic]:
-    """Run rules (all, when none are chosen) over a level and sort what they find.
 
-    A rule that raises becomes a finding JK901 about jktools itself, and the others still run.
+def lint(
+    level: Level,
+    chosen: Sequence[Rule] | None = None,
+    facts: LevelFacts | None = None,
+    options: Mapping[str, Options] | None = None,
+) -> list[Diagnostic]:
+    """Run rules (those that are on, when none are chosen) over a level and sort what they find.
+
+    `options` holds, by code, what differs from a rule's defaults. A rule that raises becomes a
+    finding JK901 about jktools itself, and the others still run.
     """
     facts = facts or LevelFacts(level)
-    found = [d for each in (rules() if chosen is None else chosen) for d in _run(each, level, facts)]
+    options = options or {}
+    running = [r for r in rules() if r.on] if chosen is None else chosen
+    found = [d for each in running for d in _run(each, level, facts, options.get(each.code.id))]
     return sorted(found, key=lambda d: d.sort_key)
 
 
-def _run(each: Rule, level: Level, facts: LevelFacts) -> Iterator[Diagnostic]:
+def _run(each: Rule, level: Level, facts: LevelFacts, options: Options | None) -> Iterator[Diagnostic]:
     latest: Subject | None = None
     try:
-        for finding in each.check(level, facts):
+        for finding in each.run(level, facts, options):
             latest = finding.subject
             if isinstance(finding, Diagnostic):
                 yield finding

@@ -173,15 +173,19 @@ class Level:
     # ---- geometry that can be computed with
 
     @cached_property
+    def finite_vertices(self) -> Bool:
+        """(vertices,) bool: vertices that were read and lie within float32."""
+        return np.asarray(np.isfinite(self.vertices).all(axis=1))
+
+    @cached_property
     def sound_surfaces(self) -> Bool:
         """(surfaces,) bool: surfaces that were read and whose corners all name vertices with finite coordinates."""
         table = self.document.surfaces
         sound = ~table.broken
         vertices = len(self.vertices)
         inside = (table.corner_vertex >= 0) & (table.corner_vertex < vertices)
-        finite = np.isfinite(self.vertices).all(axis=1)
         good = np.zeros(len(inside), np.bool_)
-        good[inside] = finite[table.corner_vertex[inside]]
+        good[inside] = self.finite_vertices[table.corner_vertex[inside]]
         corners = np.diff(table.corner_start)
         bad = np.bincount(np.repeat(np.arange(len(corners)), corners)[~good], minlength=len(corners))
         sound &= bad == 0
@@ -193,7 +197,6 @@ class Level:
         table = self.document.sectors
         sound = ~table.broken
         surfaces, vertices = len(self.surfaces), len(self.vertices)
-        finite = np.isfinite(self.vertices).all(axis=1)
         for i in np.flatnonzero(sound).tolist():
             first, count = int(table.first_surface[i]), int(table.surface_count[i])
             own = table.vertex[table.vertex_start[i] : table.vertex_start[i + 1]]
@@ -203,7 +206,7 @@ class Level:
                 and first + count <= surfaces
                 and bool(self.sound_surfaces[first : first + count].all())
                 and bool(((own >= 0) & (own < vertices)).all())
-                and bool(finite[own].all())
+                and bool(self.finite_vertices[own].all())
             )
         return sound
 

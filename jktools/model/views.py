@@ -67,6 +67,12 @@ class View:
         return self.level.line_span(self.line)
 
     @property
+    def head_span(self) -> Span:
+        """The first word of its line: its label or name."""
+        whole = self.span
+        return whole.source.span(whole.start, whole.start + len(whole.text.split(maxsplit=1)[0]))
+
+    @property
     def broken(self) -> bool:
         """Whether its text could not be read; its values then mean nothing."""
         return bool(self._table.broken[self.index])
@@ -399,12 +405,14 @@ class Thing(_WithParameters):
     @property
     def position(self) -> Float32:
         """(3,) float32, JKU."""
-        return self.level.document.things.position[self.index]
+        position: Float32 = self.level.document.things.position[self.index]
+        return position
 
     @property
     def angles(self) -> Float32:
         """(3,) float32: pitch, yaw and roll, degrees."""
-        return self.level.document.things.angles[self.index]
+        angles: Float32 = self.level.document.things.angles[self.index]
+        return angles
 
     @property
     def sector_index(self) -> int:

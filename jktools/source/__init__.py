@@ -6,4 +6,15 @@ from jktools.source.gob import Gob
 from jktools.source.path import Target, resolve
 from jktools.source.text import Position, Source, Span
 
-__all__ = ["Container", "Folder", "Gob", "InputError", "Member", "Position", "Source", "Span", "Target", "resolve"]
+__all__ = [
+    "Container",
+    "Folder",
+    "Gob",
+    "InputError",
+    "Member",
+    "Position",
+    "Source",
+    "Span",
+    "Target",
+    "resolve",
+]

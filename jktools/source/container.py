@@ -35,7 +35,7 @@ class Member:
 
     def read(self) -> Source:
         """Map or read the file. Raises InputError when it cannot be opened."""
-        return Source(self.path, self._read())
+        return Source(self.path, self._read(), self.name, self.declared)
 
     @property
     def extension(self) -> str:

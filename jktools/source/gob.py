@@ -54,9 +54,7 @@ class Gob(Container):
             name = raw.split(b"\0", 1)[0].decode("latin-1").replace("\\", "/")
             start = min(offset, len(self._data))
             end = min(offset + size, len(self._data))
-            yield Member(
-                f"{self.path}{PACK_SEPARATOR}{name}", name, end - start, size, self._slice(start, end)
-            )
+            yield Member(f"{self.path}{PACK_SEPARATOR}{name}", name, end - start, size, self._slice(start, end))
 
     def _slice(self, start: int, end: int) -> _Slice:
         return _Slice(self._data, start, end)

@@ -25,10 +25,18 @@ class Source:
     that way every byte is one character and offsets in `text` are offsets in `data`.
     """
 
-    def __init__(self, path: str, data: bytes | memoryview) -> None:
-        """Take `path` as users wrote it (`pack.gob!jkl/x.jkl`) and the bytes, which may be a mapped view."""
+    def __init__(
+        self, path: str, data: bytes | memoryview, name: str | None = None, declared: int | None = None
+    ) -> None:
+        """Take `path` as users wrote it (`pack.gob!jkl/x.jkl`) and the bytes, which may be a mapped view.
+
+        `name` is the file's path inside its pack, or its base name: what stays the same on every machine.
+        `declared` is its size by the pack's directory, where the pack may be cut off.
+        """
         self.path = path
+        self.name = path if name is None else name
         self.data = memoryview(data)
+        self.declared = len(self.data) if declared is None else declared
 
     def __repr__(self) -> str:
         return f"Source({self.path!r}, {len(self.data)} bytes)"

@@ -50,7 +50,11 @@ def load(name: str, start: tuple[str, ...]) -> lark.Lark:
 
 def _build(text: str, start: tuple[str, ...], kept: Path | None = None) -> lark.Lark:
     return lark.Lark(
-        text, parser="lalr", start=list(start), cache=False if kept is None else str(kept), maybe_placeholders=False
+        text,
+        parser="lalr",
+        start=list(start),
+        cache=False if kept is None else str(kept),
+        maybe_placeholders=False,
     )
 
 

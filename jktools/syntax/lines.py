@@ -2,16 +2,42 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from types import MappingProxyType
 
 import numpy as np
+import numpy.typing as npt
 
-from jktools._native_text import COMMENT_IN_WORD, CUT, TAIL, logical_lines
+from jktools._native_text import (  # noqa: TID251 (this package is the door)
+    BLANK,
+    COMMENT_IN_WORD,
+    CUT,
+    END,
+    SECTION,
+    SECTOR,
+    TAIL,
+    WORLD,
+    line_kinds,
+    logical_lines,
+    word_counts,
+)
 from jktools.source import Source, Span
 
 BUFFER_SIZE: Mapping[str, int] = MappingProxyType({"jk": 1024, "mots": 2048})
 """Bytes of the engine's line buffer, by game (stdConffile in the decompiled engine)."""
+
+_JOINED_KINDS = (
+    (r"[\s,]*$", BLANK),
+    (r"[\s,]*section:", SECTION),
+    (r"[\s,]*world[\s,]+\S", WORLD),
+    (r"[\s,]*end(?![^\s,])", END),
+    (r"[\s,]*sector(?![^\s,])", SECTOR),
+)
+"""What the native reader says of a line, for the few that are joined from several physical ones."""
+
+Int64 = npt.NDArray[np.int64]
+UInt8 = npt.NDArray[np.uint8]
 
 
 class LogicalLines:
@@ -21,43 +47,67 @@ class LogicalLines:
         """Cut `source` as the engine of `game` does."""
         self.source = source
         self.buffer_size = BUFFER_SIZE[game]
-        octets = np.frombuffer(source.data, np.uint8)
-        segments, starts, ends, self._flags = logical_lines(octets, self.buffer_size)
-        self._segments: list[int] = segments.tolist()
-        self._starts: list[int] = starts.tolist()
-        self._ends: list[int] = ends.tolist()
+        self.octets: UInt8 = np.frombuffer(source.data, np.uint8)
+        self._segments, self._segment_start, self._segment_end, self._flags = logical_lines(
+            self.octets, self.buffer_size
+        )
+        first = self._segments[:-1]
+        self.start: Int64 = self._segment_start[first]
+        self.end: Int64 = np.where(np.diff(self._segments) == 1, self._segment_end[first], -1)
+        """Byte range of each line; a line joined from several physical ones has the end -1."""
+        self.kinds: UInt8 = self._kinds()
+
+    def _kinds(self) -> UInt8:
+        kinds = line_kinds(self.octets, self.start, self.end)
+        for line in np.flatnonzero(self.end < 0).tolist():
+            text = self.text(line)
+            kinds[line] = next((k for p, k in _JOINED_KINDS if re.match(p, text, re.IGNORECASE)), 0)
+        return kinds
 
     def __len__(self) -> int:
-        return len(self._segments) - 1
+        return len(self.start)
+
+    def next_of(self, kinds: int, line: int) -> int:
+        """The first line from `line` on that is of one of these kinds, or the number of lines."""
+        found = np.flatnonzero(self.kinds[line:] & kinds)
+        return line + int(found[0]) if len(found) else len(self)
+
+    def word_counts(self, lines: npt.NDArray[np.intp]) -> npt.NDArray[np.int32]:
+        """How many fields each of some lines has; commas part them."""
+        counts = word_counts(self.octets, self.start[lines], self.end[lines])
+        for i in np.flatnonzero(self.end[lines] < 0).tolist():
+            counts[i] = len(self.text(int(lines[i])).replace(",", " ").split())
+        return counts
 
     def text(self, line: int) -> str:
         """The line as the engine sees it."""
-        first, last = self._segments[line], self._segments[line + 1]
+        start, end = int(self.start[line]), int(self.end[line])
         text = self.source.text
-        if last - first == 1:
-            return text[self._starts[first] : self._ends[first]]
-        return "".join(text[self._starts[k] : self._ends[k]] for k in range(first, last))
+        if end >= 0:
+            return text[start:end]
+        return "".join(text[self._segment_start[k] : self._segment_end[k]] for k in self._parts(line))
+
+    def _parts(self, line: int) -> range:
+        return range(int(self._segments[line]), int(self._segments[line + 1]))
 
     def span(self, line: int) -> Span:
         """The bytes of a line without blanks at its ends; continuation marks between its parts are included."""
-        first, last = self._segments[line], self._segments[line + 1]
-        whole = self.source.span(self._starts[first], self._ends[last - 1])
+        whole = self.source.span(int(self.start[line]), int(self._segment_end[self._parts(line)[-1]]))
         text = whole.text
-        return self.source.span(
-            whole.start + len(text) - len(text.lstrip()), max(whole.start, whole.end - len(text) + len(text.rstrip()))
-        )
+        start = whole.start + len(text) - len(text.lstrip())
+        return self.source.span(start, max(start, whole.start + len(text.rstrip())))
 
     def part(self, line: int, start: int, end: int) -> Span:
         """The bytes behind the characters `start` to `end` of `text(line)`."""
         return self.source.span(self._offset(line, start), self._offset(line, max(start, end - 1)) + (end > start))
 
     def _offset(self, line: int, at: int) -> int:
-        for k in range(self._segments[line], self._segments[line + 1]):
-            size = self._ends[k] - self._starts[k]
+        for k in self._parts(line):
+            size = int(self._segment_end[k] - self._segment_start[k])
             if at < size:
-                return self._starts[k] + at
+                return int(self._segment_start[k]) + at
             at -= size
-        return self._ends[self._segments[line + 1] - 1]
+        return int(self._segment_end[self._parts(line)[-1]])
 
     def cut_lines(self) -> list[int]:
         """Lines that are the head of a physical line longer than the engine's buffer."""
@@ -69,3 +119,6 @@ class LogicalLines:
 
     def _flagged(self, flag: int, without: int = 0) -> list[int]:
         return np.flatnonzero((self._flags & flag != 0) & (self._flags & without == 0)).tolist()
+
+
+__all__ = ["BLANK", "BUFFER_SIZE", "END", "SECTION", "SECTOR", "WORLD", "LogicalLines"]

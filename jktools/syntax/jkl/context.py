@@ -6,6 +6,8 @@ import re
 from collections.abc import Sequence
 
 import lark
+import numpy as np
+import numpy.typing as npt
 
 from jktools.diagnostics import Code, Diagnostic, Label, Severity, Subject
 from jktools.source import Source, Span
@@ -13,23 +15,20 @@ from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.document import Heading
 from jktools.syntax.jkl.records import Record
 from jktools.syntax.jkl.rows import Rows
-from jktools.syntax.lines import LogicalLines
+from jktools.syntax.lines import BLANK, END, SECTION, LogicalLines
 
 MOST_FAULTS = 1000
 """Faults told of one file; a file of garbage must not yield a report longer than itself."""
-
-_BOUNDARY = re.compile(r"\s*(section:|world\s|end(?!\S))", re.IGNORECASE)
-_SECTION = re.compile(r"\s*section:", re.IGNORECASE)
-_END = re.compile(r"[\s,]*end(?![^\s,])", re.IGNORECASE)
 
 
 class Context:
     """Reads one file from its first line to its last."""
 
-    def __init__(self, source: Source, game: str) -> None:
-        """Start before the first logical line."""
+    def __init__(self, source: Source, game: str, strict: bool = False) -> None:
+        """Start before the first logical line; `strict` leaves every record to the grammar."""
         self.source = source
         self.game = game
+        self.strict = strict
         self.lines = LogicalLines(source, game)
         self.at = 0
         self.diagnostics: list[Diagnostic] = []
@@ -46,22 +45,37 @@ class Context:
         """The line at hand."""
         return self.lines.text(self.at)
 
+    def _is(self, kinds: int) -> bool:
+        return not self.done and bool(self.lines.kinds[self.at] & kinds)
+
     def at_section(self) -> bool:
         """Whether the line at hand starts a section, or there is none left."""
-        return self.done or _SECTION.match(self.text()) is not None
-
-    def at_boundary(self) -> bool:
-        """Whether the line at hand ends any block: `section:`, `world ...`, `end`, or the end of the file."""
-        return self.done or _BOUNDARY.match(self.text()) is not None
+        return self.done or self._is(SECTION)
 
     def at_end_word(self) -> bool:
         """Whether the line at hand is `end`."""
-        return not self.done and _END.match(self.text()) is not None
+        return self._is(END)
 
     def skip_blank(self) -> None:
         """Pass over lines of blanks, as the engine's field reader does."""
-        while not self.done and not self.text().strip(" \t\r,"):
+        while self._is(BLANK):
             self.at += 1
+
+    def block(self, until: int, *, blank: bool = True) -> npt.NDArray[np.intp]:
+        """Move to the next line of one of these kinds and give the lines before it, with or without blank ones."""
+        first, self.at = self.at, self.lines.next_of(until, self.at)
+        lines = np.arange(first, self.at)
+        return lines if blank else lines[self.lines.kinds[lines] & BLANK == 0]
+
+    # ---- records
+
+    def rows(self, record: Record, kind: str, lines: npt.NDArray[np.intp]) -> Rows:
+        """Read the records on these lines; the native reader takes what is well-formed, the grammar the rest."""
+
+        def read_one(row: int, line: int) -> Sequence[str] | None:
+            return self.record(record, line, Subject(kind, row))
+
+        return Rows(record, self.lines, lines, read_one, strict=self.strict)
 
     # ---- faults
 
@@ -75,14 +89,13 @@ class Context:
         severity: Severity | None = None,
         note: str = "",
     ) -> None:
-        """Tell a fault; `place` may be a logical line."""
+        """Tell a fault; `place` may be a logical line, or one that is not there for the file as such."""
         if len(self.diagnostics) >= MOST_FAULTS:
             self._untold += 1
             return
-        where = self.lines.span(place) if isinstance(place, int) else place
-        self.diagnostics.append(
-            Diagnostic(code, severity or code.severity, Label(where, note), message, help, subject)
-        )
+        if isinstance(place, int):
+            place = self.lines.span(place) if 0 <= place < len(self.lines) else self.source
+        self.diagnostics.append(Diagnostic(code, severity or code.severity, Label(place, note), message, help, subject))
 
     def finish(self) -> tuple[Diagnostic, ...]:
         """Everything that was told, in the order of the file."""
@@ -97,8 +110,6 @@ class Context:
                 )
             )
         return tuple(sorted(self.diagnostics, key=lambda d: d.sort_key))
-
-    # ---- records
 
     def heading(self, words: str) -> Heading | None:
         """Read the heading `words N`, or tell that it is missing and stay where we are."""
@@ -129,10 +140,9 @@ class Context:
             return None if number is None else Heading(line, int(number.group(1)))
         return Heading(line, int(fields[-1]))
 
-    def record(self, record: Record, subject: Subject | None) -> Sequence[str] | None:
-        """Parse the line at hand and move on; None, and a fault told, when the engine could not read it."""
-        line, text = self.at, self.text()
-        self.at += 1
+    def record(self, record: Record, line: int, subject: Subject | None) -> Sequence[str] | None:
+        """Parse a line with the grammar; None, and a fault told, when the engine could not read it."""
+        text = self.lines.text(line)
         try:
             tokens = record.parse(text)
         except lark.UnexpectedInput as error:
@@ -142,8 +152,8 @@ class Context:
         return tokens
 
     def _surplus(self, record: Record, line: int, text: str, subject: Subject | None) -> None:
-        if record in _WITH_TAIL:
-            return
+        if record.more == "*" or record is records.SURFACE:
+            return  # their own readers look at what stands behind the fields
         words = record.surplus(text)
         if words:
             start, end = words[0].start_pos, words[-1].end_pos
@@ -160,9 +170,9 @@ class Context:
     ) -> list[str] | None:
         ended = isinstance(error, lark.UnexpectedToken) and error.token.type == "$END"
         start = len(text) if ended or error.pos_in_stream is None else error.pos_in_stream
-        word = re.match(r"\S*", record.words(text)[start:])
+        word = records.WORD.match(record.words(text)[start:])
         found = word.group() if word else ""
-        ordinal = len(record.words(text)[:start].split()) - record.words_before
+        ordinal = len(records.WORD.findall(record.words(text)[:start])) - record.words_before
         wanted = _wanted(record, ordinal)
         read = record.salvage(text)
         what = f"but found {quote(found)}" if found else "but the line ends"
@@ -183,14 +193,16 @@ class Context:
     def outside(self, rows: Rows, kind: str) -> None:
         """Tell of numbers that the engine's 32 bits cannot hold. Call when all columns are made."""
         for index, field in sorted(rows.outside.items()):
-            line = rows.lines[index]
-            ordinal = rows.record.ordinal(field)
-            text = str(rows.fields[index][ordinal])
-            self.fault(
-                faults.LOOSELY_READ_RECORD, line,
-                f"{kind} {index} has {field} {quote(text)}, but the engine holds it in 32 bits",
-                "write a number that fits", Subject(kind, index),
-            )  # fmt: skip
+            text = str(rows.fields[index][rows.record.ordinal(field)])
+            self.beyond(int(rows.lines[index]), kind, index, field, text)
+
+    def beyond(self, line: int, kind: str, index: int, field: str, text: str) -> None:
+        """Tell of one number that the engine's 32 bits cannot hold."""
+        self.fault(
+            faults.LOOSELY_READ_RECORD, line,
+            f"{kind} {index} has {field} {quote(text)}, but the engine holds it in 32 bits",
+            "write a number that fits", Subject(kind, index),
+        )  # fmt: skip
 
     def counted(self, heading: Heading | None, kind: str, found: int, help: str | None = None) -> None:
         """Tell when a heading that must be exact announces another number than there are."""
@@ -200,10 +212,6 @@ class Context:
                 f"the heading announces {heading.count} {kind}, but {found} follow",
                 help or f"write {found}, or restore what is missing; the engine refuses the level",
             )  # fmt: skip
-
-
-_WITH_TAIL = (records.SURFACE, records.COG, records.TEMPLATE, records.THING, records.SOUND)
-"""Records whose own readers look at what stands behind the fields."""
 
 
 def name(record: Record, subject: Subject | None) -> str:

@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from jktools.diagnostics import Severity, Subject
+from jktools.diagnostics import Severity
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context
 from jktools.syntax.jkl.document import Heading, NameList
 from jktools.syntax.jkl.records import Record
 from jktools.syntax.jkl.rows import Rows
+from jktools.syntax.lines import END, SECTION
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,9 +29,7 @@ class ListSection:
 SECTIONS: Mapping[str, ListSection] = MappingProxyType(
     {
         "sounds": ListSection("sounds", "world sounds", "sound", records.SOUND),
-        "materials": ListSection(
-            "materials", "world materials", "material", records.MATERIAL, refuses_surplus=True
-        ),
+        "materials": ListSection("materials", "world materials", "material", records.MATERIAL, refuses_surplus=True),
         "aiclass": ListSection("aiclasses", "world aiclasses", "aiclass"),
         "models": ListSection("models", "world models", "model"),
         "sprites": ListSection("sprites", "world sprites", "sprite"),
@@ -49,31 +48,24 @@ COLORMAPS = ListSection("colormaps", "world colormaps", "colormap", refuses_surp
 def read_list(context: Context, section: ListSection) -> NameList:
     """Read a list section behind its `section:` line."""
     heading = context.heading(section.heading)
-    rows = Rows(section.record)
-    read_until_end(context, rows, section.kind)
+    rows = read_until_end(context, section.record, section.kind)
     return name_list(context, section, heading, rows)
 
 
-def read_until_end(context: Context, rows: Rows, kind: str) -> None:
+def read_until_end(context: Context, record: Record, kind: str) -> Rows:
     """Read records up to `end`; a section that lacks it is told of and ends where the next begins."""
     first = context.at
-    while not context.at_section():
-        if context.at_end_word():
-            context.at += 1
-            return
-        if not context.text().strip(" \t\r,"):
-            context.at += 1
-            continue
-        subject = Subject(kind, len(rows))
-        rows.add(context.at, context.record(rows.record, subject))
-    if context.done and not len(rows):
-        return
-    context.fault(
-        faults.MISSING_END, max(first - 1, context.at - 1),
-        f'the list of {kind}s has no "end"' + ("" if context.done else ", but the engine reads it up to one"),
-        'put a line "end" behind the last entry',
-        severity=Severity.WARNING if context.done else None,
-    )  # fmt: skip
+    rows = context.rows(record, kind, context.block(SECTION | END, blank=False))
+    if context.at_end_word():
+        context.at += 1
+    elif len(rows) or not context.done:
+        context.fault(
+            faults.MISSING_END, max(first - 1, context.at - 1),
+            f'the list of {kind}s has no "end"' + ("" if context.done else ", but the engine reads it up to one"),
+            'put a line "end" behind the last entry',
+            severity=Severity.WARNING if context.done else None,
+        )  # fmt: skip
+    return rows
 
 
 def name_list(context: Context, section: ListSection, heading: Heading | None, rows: Rows) -> NameList:
@@ -81,7 +73,7 @@ def name_list(context: Context, section: ListSection, heading: Heading | None, r
     if heading is not None and len(rows) > heading.count:
         effect = "refuses the level" if section.refuses_surplus else "drops the rest"
         context.fault(
-            faults.COUNT_MISMATCH, rows.lines[heading.count],
+            faults.COUNT_MISMATCH, int(rows.lines[heading.count]),
             f"the heading announces {heading.count} {section.kind}s, but {len(rows)} follow; the engine {effect}",
             f'write at least {len(rows)} behind "{section.heading}"',
             severity=None if section.refuses_surplus else Severity.WARNING,

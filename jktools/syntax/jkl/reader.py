@@ -11,7 +11,7 @@ import lark
 import numpy as np
 
 from jktools.diagnostics import Subject
-from jktools.source import Source
+from jktools.source import Source, Span
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context, quote
 from jktools.syntax.jkl.document import ArchLights, Document, Header, NameList
@@ -21,6 +21,7 @@ from jktools.syntax.jkl.objects import read_cogs, read_templates, read_things
 from jktools.syntax.jkl.records import HEADER_LINES
 from jktools.syntax.jkl.rows import floats
 from jktools.syntax.jkl.sectors import read_sectors
+from jktools.syntax.lines import SECTION
 
 COPYRIGHT_LINES = 34
 """Lines that the engine takes from COPYRIGHT (sithCopyright_Load)."""
@@ -28,18 +29,20 @@ COPYRIGHT_LINES = 34
 REQUIRED = ("copyright", "header", "georesource", "sectors")
 """Sections without which a level does not load, or has no gravity."""
 
+_BETWEEN_WORDS = b" \t,\r\n"
+
 GEOMETRY = "georesource"
 """A JKL without this section is no level: static.jkl holds only resources and templates."""
 
 
-def read(source: Source, game: str = "jk") -> Document:
+def read(source: Source, game: str = "jk", *, strict_grammar: bool = False) -> Document:
     """Read a JKL as the engine of `game` (`jk` or `mots`) does, and tell what it would not.
 
     Never raises on bad input: what cannot be read is told in `Document.diagnostics`, keeps its place in its
-    table, and the rest of the file is read on.
+    table, and the rest of the file is read on. With `strict_grammar` the Lark grammar reads every record, which
+    is slow and gives the same document.
     """
-    context = Context(source, game)
-    _check_lines(context)
+    context = Context(source, game, strict_grammar)
     parts: dict[str, Any] = {}
     lists: dict[str, NameList] = {}
     sections: dict[str, int] = {}
@@ -57,23 +60,24 @@ def read(source: Source, game: str = "jk") -> Document:
             lists[SECTIONS[name].key] = read_list(context, SECTIONS[name])
         elif name in _READERS:
             parts[name] = _READERS[name](context)
-    _check_sections(context, sections)
+    _check_file(context, sections)
+    if sections:
+        _check_lines(context)
     return _document(context, sections, parts, lists)
 
 
 def _next_section(context: Context) -> str | None:
     """Move behind the next `section:` line and give its name in lower case."""
-    while not context.done:
-        text = context.text()
-        context.at += 1
-        if re.match(r"\s*section:", text, re.IGNORECASE):
-            try:
-                return str(records.parser().parse(text, start="section").children[0]).lower()
-            except lark.UnexpectedInput:
-                context.fault(
-                    faults.MALFORMED_RECORD, context.at - 1, f"expected the name of a section, but found {quote(text)}",
-                    "write a name behind SECTION:",
-                )  # fmt: skip
+    while (line := context.lines.next_of(SECTION, context.at)) < len(context.lines):
+        context.at = line + 1
+        try:
+            return str(records.parser().parse(context.lines.text(line), start="section").children[0]).lower()
+        except lark.UnexpectedInput:
+            context.fault(
+                faults.MALFORMED_RECORD, line,
+                f"expected the name of a section, but found {quote(context.lines.text(line))}",
+                "write a name behind SECTION:",
+            )  # fmt: skip
     return None
 
 
@@ -85,26 +89,36 @@ def _check_lines(context: Context) -> None:
             "break the line; the engine takes its rest for a line of its own",
         )  # fmt: skip
     for line in context.lines.lines_with_comment_in_word():
-        context.fault(
-            faults.COMMENT_IN_NUMBER, line,
-            f"a # stands in the middle of {quote(_word_at_end(context, line))}, but starts a comment for the engine",
-            "write the number out; the engine loses the rest of the line",
-        )  # fmt: skip
+        number = _number_cut(context, line)
+        if number is not None:
+            context.fault(
+                faults.COMMENT_IN_NUMBER, number,
+                f'a # stands in the number "{number.text}", but starts a comment for the engine',
+                "write a number; the engine loses the rest of the line",
+            )  # fmt: skip
 
 
-def _word_at_end(context: Context, line: int) -> str:
-    """The word that a `#` cuts, with what follows it up to a blank."""
-    span = context.lines.span(line)
+def _number_cut(context: Context, line: int) -> Span | None:
+    """The number that a `#` cuts, as `1.#QNAN`; None where the `#` starts an ordinary comment behind a word."""
     data = context.source.data
-    start, end = span.end, span.end
-    while start > span.start and data[start - 1] not in b" \t,":
+    hash_ = context.lines.span(line).end
+    start, end = hash_, hash_
+    while start > 0 and data[start - 1] not in _BETWEEN_WORDS:
         start -= 1
-    while end < len(data) and data[end] not in b" \t,\r\n":
+    while end < len(data) and data[end] not in _BETWEEN_WORDS:
         end += 1
-    return context.source.span(start, end).text
+    word = context.source.span(start, end)
+    return word if re.fullmatch(r"[-+]?\d+\.\d*#[A-Za-z]+\d*", word.text) else None
 
 
-def _check_sections(context: Context, sections: dict[str, int]) -> None:
+def _check_file(context: Context, sections: dict[str, int]) -> None:
+    source = context.source
+    if source.declared != len(source.data):
+        context.fault(
+            faults.CUT_OFF_FILE, source,
+            f"the pack gives the file {source.declared} bytes, but has only {len(source.data)} of them",
+            "the pack is cut off; copy it again",
+        )  # fmt: skip
     if not sections:
         context.fault(
             faults.MISSING_SECTION, context.source, 'expected a level with "SECTION:" lines, but found none',
@@ -155,7 +169,8 @@ def _read_header(context: Context) -> Header:
             continue
         expected = order.index(alias) + 1
         lines[alias] = context.at
-        fields = context.record(HEADER_LINES[alias], Subject("header", expected - 1))
+        fields = context.record(HEADER_LINES[alias], context.at, Subject("header", expected - 1))
+        context.at += 1
         if fields is not None:
             values[alias] = fields
     if expected < len(order) and lines:
@@ -195,9 +210,7 @@ def _read_arch_lights(context: Context) -> ArchLights:
                 light.extend(map(str, fields[1:]))
         context.at += 1
     context.counted(heading, "objects", len(meshes) - 1)
-    return ArchLights(
-        heading, np.array(meshes, np.int32), np.array(vertices, np.int32), floats(light).reshape(-1, 4)
-    )
+    return ArchLights(heading, np.array(meshes, np.int32), np.array(vertices, np.int32), floats(light).reshape(-1, 4))
 
 
 _READERS: dict[str, Callable[[Context], Any]] = {

@@ -1,11 +1,11 @@
-"""The kinds of line in a JKL: which grammar rule reads them, what their fields are, what the engine makes of bad ones."""
+"""The kinds of line in a JKL: which rule reads them, what their fields are, what the engine makes of bad ones."""
 
 from __future__ import annotations
 
 import enum
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache, cached_property
 from types import MappingProxyType
 
@@ -35,6 +35,12 @@ _PREFIX: Mapping[Kind, str] = MappingProxyType(
 )
 
 
+WORD = re.compile(r"[^ \t\r\f\v]+")
+"""A word as the grammar parts them; `str.split` parts at more control bytes."""
+
+_LETTER = {Kind.LABEL: "L", Kind.INT: "i", Kind.HEX: "h", Kind.FLOAT: "f", Kind.WORD: "w"}
+
+
 @dataclass(frozen=True, slots=True)
 class Field:
     """One value of a record, named in the game's words."""
@@ -58,8 +64,15 @@ class Record:
     scanned: bool = False
     keyword: str = ""
     """The words before the fields, in lower case; they choose among the alternatives of one rule."""
-    alias: str = field(default="")
+    alias: str = ""
     """Name of that alternative in the grammar; the rule's own name where there is only one."""
+    more: str = ""
+    """What may follow the fields in a record that the native reader takes: `*` any words, `ff` two numbers."""
+
+    @cached_property
+    def form(self) -> str:
+        """The fields for the native reader, a letter each (native/text/records.hpp)."""
+        return "".join(_LETTER[f.kind] for f in self.fields) + self.more
 
     @cached_property
     def words_before(self) -> int:
@@ -98,16 +111,17 @@ class Record:
         return list(found.groups()) if found else None
 
     def _split(self, text: str) -> list[str] | None:
-        words = self.words(text).split()
+        words = WORD.findall(self.words(text))
         if len(words) < len(self.fields):
             return None
-        return [_prefix(f.kind, word) for f, word in zip(self.fields, words, strict=False)]
+        return [prefix(f.kind, word) for f, word in zip(self.fields, words, strict=False)]
 
 
-def _prefix(kind: Kind, word: str) -> str:
-    if kind in (Kind.LABEL, Kind.WORD):
+def prefix(kind: Kind, word: str) -> str:
+    """What the engine's field reader makes of a word: its longest prefix that fits, or 0."""
+    if kind is Kind.WORD:
         return word
-    found = re.match(_PREFIX[kind], word, re.ASCII)
+    found = re.match(_PREFIX[Kind.INT if kind is Kind.LABEL else kind], word, re.ASCII)
     return found.group() if found else "0"
 
 
@@ -125,8 +139,8 @@ def parse_any(rule: str, text: str) -> tuple[str, list[lark.Token]]:
 
 
 START_RULES = (
-    "section", "count", "header_line", "sound", "entry", "material", "vertex", "texture_vertex", "adjoin", "surface", "normal",
-    "sector_line", "sector_vertex", "cog", "template", "thing", "arch_line",
+    "section", "count", "header_line", "sound", "entry", "material", "vertex", "texture_vertex", "adjoin", "surface",
+    "normal", "sector_line", "sector_vertex", "cog", "template", "thing", "arch_line",
 )  # fmt: skip
 
 
@@ -148,8 +162,8 @@ def _named(alias: str, rule: str, title: str, keyword: str, fields: tuple[Field,
 
 
 COUNT_FIELDS = _fields(Kind.INT, "count")
-SOUND = Record("sound", "sound", _fields(Kind.WORD, "name"))
-MATERIAL = Record("material", "material", _LABEL + _fields(Kind.WORD, "name"))
+SOUND = Record("sound", "sound", _fields(Kind.WORD, "name"), more="*")
+MATERIAL = Record("material", "material", _LABEL + _fields(Kind.WORD, "name"), more="ff")
 ENTRY = Record("entry", "entry", _LABEL + _fields(Kind.WORD, "name"))
 VERTEX = Record("vertex", "vertex", _LABEL + _fields(Kind.FLOAT, "x, y, z"), scanned=True)
 TEXTURE_VERTEX = Record("texture_vertex", "texture vertex", _LABEL + _fields(Kind.FLOAT, "u, v"), scanned=True)
@@ -170,8 +184,8 @@ SURFACE = Record(
 )  # fmt: skip
 NORMAL = Record("normal", "normal", _LABEL + _fields(Kind.FLOAT, "x, y, z"), scanned=True)
 SECTOR_VERTEX = Record("sector_vertex", "sector vertex", _LABEL + _fields(Kind.INT, "vertex"), scanned=True)
-COG = Record("cog", "cog", _LABEL + _fields(Kind.WORD, "script"))
-TEMPLATE = Record("template", "template", _fields(Kind.WORD, "name, parent"))
+COG = Record("cog", "cog", _LABEL + _fields(Kind.WORD, "script"), more="*")
+TEMPLATE = Record("template", "template", _fields(Kind.WORD, "name, parent"), more="*")
 THING = Record(
     "thing", "thing",
     (
@@ -180,6 +194,7 @@ THING = Record(
         *_fields(Kind.FLOAT, "x, y, z, pitch, yaw, roll"),
         Field("sector", Kind.INT),
     ),
+    more="*",
 )  # fmt: skip
 
 

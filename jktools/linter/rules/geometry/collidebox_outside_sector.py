@@ -1,18 +1,25 @@
 """JK301: a collide box that sticks out of its sector."""
 
 from collections.abc import Iterator
+from typing import Annotated
+
+import msgspec
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
-from jktools.linter.rule import Finding, rule
+from jktools.linter.rule import Finding, Options, rule
 from jktools.model import Level
 
-TOLERANCE = 1e-3
-"""JKU; boxes are written with few decimals, and no tool but the buggy one exceeds it."""
+
+class Tolerances(Options, frozen=True):
+    """How much is let pass."""
+
+    # Boxes are written with few decimals, and no tool but the buggy one exceeds this.
+    distance: Annotated[float, msgspec.Meta(ge=0, description="JKU that a corner may lie outside")] = 1e-3
 
 
-@rule("JK301", "collidebox-outside-sector", severity=Severity.WARNING, since="0.1.0")
-def collidebox_outside_sector(level: Level, facts: LevelFacts) -> Iterator[Finding]:
+@rule("JK301", "collidebox-outside-sector", severity=Severity.WARNING, since="0.1.0", options=Tolerances)
+def collidebox_outside_sector(level: Level, facts: LevelFacts, options: Tolerances) -> Iterator[Finding]:
     """Report a collide box with a corner more than 0.001 JKU outside its sector.
 
     ## Why it matters
@@ -30,15 +37,17 @@ def collidebox_outside_sector(level: Level, facts: LevelFacts) -> Iterator[Findi
         CollideBox .1 .1 .1 .9 .9 .9
     """
     sectors, outside = facts.collide_boxes
-    for index, surface, distance in zip(sectors.tolist(), *map(list, outside), strict=True):
-        if distance <= TOLERANCE:
+    for index, surface, distance in zip(
+        sectors.tolist(), outside.surface.tolist(), outside.distance.tolist(), strict=True
+    ):
+        if distance <= options.distance:
             continue
-        sector, wall = level.sectors[index], level.surfaces[int(surface)]
+        sector, wall = level.sectors[index], level.surfaces[surface]
         yield Finding(
             Label(sector.line_span("collide_box")),
             f"the collide box of sector {index} lies {distance:.6g} JKU behind surface {wall.index} "
             f"(sector {index}, surface {wall.index - sector.first_surface}), but should lie inside the sector",
             "shrink the box, or remove the line: without it the engine tests every surface",
             sector.subject,
-            (Label(wall.span, f"surface {wall.index}"),),
+            (Label(wall.head_span, f"surface {wall.index}"),),
         )

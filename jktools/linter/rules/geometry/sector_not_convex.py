@@ -1,20 +1,25 @@
 """JK302: a sector that is not convex."""
 
 from collections.abc import Iterator
+from typing import Annotated
 
+import msgspec
 import numpy as np
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
-from jktools.linter.rule import Finding, rule
+from jktools.linter.rule import Finding, Options, rule
 from jktools.model import Level
 
-TOLERANCE = 1e-3
-"""JKU, as in JED and SED."""
+
+class Tolerances(Options, frozen=True):
+    """How much is let pass."""
+
+    distance: Annotated[float, msgspec.Meta(ge=0, description="JKU that a vertex may lie behind a surface")] = 1e-3
 
 
-@rule("JK302", "sector-not-convex", severity=Severity.ERROR, since="0.1.0")
-def sector_not_convex(level: Level, facts: LevelFacts) -> Iterator[Finding]:
+@rule("JK302", "sector-not-convex", severity=Severity.ERROR, since="0.1.0", options=Tolerances)
+def sector_not_convex(level: Level, facts: LevelFacts, options: Tolerances) -> Iterator[Finding]:
     """Report a sector with a vertex more than 0.001 JKU behind one of its surfaces.
 
     ## Why it matters
@@ -33,7 +38,7 @@ def sector_not_convex(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         2: 1 1 0
     """
     convexity = facts.convexity
-    for index in np.flatnonzero(convexity.distance > TOLERANCE).tolist():
+    for index in np.flatnonzero(convexity.distance > options.distance).tolist():
         sector = level.sectors[index]
         surface = level.surfaces[int(convexity.surface[index])]
         vertex, distance = int(convexity.vertex[index]), float(convexity.distance[index])
@@ -46,7 +51,7 @@ def sector_not_convex(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             "cleave the sector along that surface",
             sector.subject,
             (
-                Label(surface.span, f"surface {surface.index}"),
+                Label(surface.head_span, f"surface {surface.index}"),
                 Label(level.line_span(int(level.document.vertices.lines[vertex])), f"vertex {vertex}"),
             ),
         )

@@ -1,27 +1,34 @@
 """JK304: a surface that is not a convex polygon."""
 
 from collections.abc import Iterator
+from typing import Annotated
 
+import msgspec
 import numpy as np
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
-from jktools.linter.rule import Finding, rule
+from jktools.linter.rule import Finding, Options, rule
 from jktools.model import Level
 
-CROSS_TOLERANCE = 1e-4
-"""JKU squared: the cross product of neighbouring edges that JED and SED allow to be negative."""
 
-DEPTH_TOLERANCE = 1e-4
-"""JKU: how far a corner may lie inside the line through its neighbours.
+class Tolerances(Options, frozen=True):
+    """How much is let pass.
 
-JED and SED have no such limit, so that they judge long edges more strictly: at coordinates near 1000 they call
-straight edges reflex that are bent by less than float32 can hold.
-"""
+    JED and SED look at the cross product alone, so that they judge long edges more strictly: at coordinates near 1000
+    they call straight edges reflex that are bent by less than float32 can hold.
+    """
+
+    cross: Annotated[
+        float, msgspec.Meta(ge=0, description="JKU squared that the cross product of a corner's edges may be negative")
+    ] = 1e-4
+    depth: Annotated[
+        float, msgspec.Meta(ge=0, description="JKU that a corner may lie inside the line through its neighbours")
+    ] = 1e-4
 
 
-@rule("JK304", "surface-not-convex", severity=Severity.WARNING, since="0.1.0")
-def surface_not_convex(level: Level, facts: LevelFacts) -> Iterator[Finding]:
+@rule("JK304", "surface-not-convex", severity=Severity.WARNING, since="0.1.0", options=Tolerances)
+def surface_not_convex(level: Level, facts: LevelFacts, options: Tolerances) -> Iterator[Finding]:
     """Report a surface with a reflex corner.
 
     ## Why it matters
@@ -39,7 +46,7 @@ def surface_not_convex(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         2: 1 1 0
     """
     concavity = facts.concavity
-    reflex = (concavity.cross < -CROSS_TOLERANCE) & (concavity.depth > DEPTH_TOLERANCE)
+    reflex = (concavity.cross < -options.cross) & (concavity.depth > options.depth)
     for index in np.flatnonzero(reflex).tolist():
         surface = level.surfaces[index]
         corner = int(concavity.corner[index])

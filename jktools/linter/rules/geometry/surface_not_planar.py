@@ -1,20 +1,25 @@
 """JK303: a surface whose vertices do not lie in one plane."""
 
 from collections.abc import Iterator
+from typing import Annotated
 
+import msgspec
 import numpy as np
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
-from jktools.linter.rule import Finding, rule
+from jktools.linter.rule import Finding, Options, rule
 from jktools.model import Level
 
-TOLERANCE = 1e-3
-"""JKU, as in JED and SED."""
+
+class Tolerances(Options, frozen=True):
+    """How much is let pass."""
+
+    distance: Annotated[float, msgspec.Meta(ge=0, description="JKU that a vertex may lie off the plane")] = 1e-3
 
 
-@rule("JK303", "surface-not-planar", severity=Severity.WARNING, since="0.1.0")
-def surface_not_planar(level: Level, facts: LevelFacts) -> Iterator[Finding]:
+@rule("JK303", "surface-not-planar", severity=Severity.WARNING, since="0.1.0", options=Tolerances)
+def surface_not_planar(level: Level, facts: LevelFacts, options: Tolerances) -> Iterator[Finding]:
     """Report a surface with a vertex more than 0.001 JKU off its plane.
 
     ## Why it matters
@@ -32,7 +37,7 @@ def surface_not_planar(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         2: 1 1 .0005
     """
     planarity = facts.planarity
-    for index in np.flatnonzero(planarity.distance > TOLERANCE).tolist():
+    for index in np.flatnonzero(planarity.distance > options.distance).tolist():
         surface = level.surfaces[index]
         corner = int(planarity.corner[index])
         vertex = int(surface.vertices[corner])

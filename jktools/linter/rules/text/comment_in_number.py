@@ -13,10 +13,10 @@ def comment_in_number() -> None:
     and the engine takes left-over values of the line before for the missing fields.
 
     ## Bad
-        World adjoins 4
+        World adjoins 2
         0: 0x7 1 1.#QNAN
 
     ## Good
-        World adjoins 4
+        World adjoins 2
         0: 0x7 1 1 # a comment
     """

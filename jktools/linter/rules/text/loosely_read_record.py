@@ -13,7 +13,7 @@ def loosely_read_record() -> None:
     the last field. The level loads, with other values than its author wrote.
 
     ## Bad
-        World adjoins 4
+        World adjoins 2
         0: 0x7 one 1
 
     ## Bad

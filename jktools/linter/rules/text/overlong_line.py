@@ -13,7 +13,7 @@ def overlong_line() -> None:
     its own.
 
     ## Bad
-        World templates 3
+        World templates 4
         long none type=cog \
 frame=(0.000000/0.000000/0.000000:0.0/0.0/0.0) frame=(0.000000/0.000000/0.000000:0.0/0.0/0.0) \
 frame=(0.000000/0.000000/0.000000:0.0/0.0/0.0) frame=(0.000000/0.000000/0.000000:0.0/0.0/0.0) \
@@ -29,6 +29,6 @@ frame=(0.000000/0.000000/0.000000:0.0/0.0/0.0) frame=(0.000000/0.000000/0.000000
 frame=(0.000000/0.000000/0.000000:0.0/0.0/0.0) frame=(0.000000/0.000000/0.000000:0.0/0.0/0.0)
 
     ## Good
-        World templates 3
+        World templates 4
         long none type=cog timer=1
     """

@@ -17,11 +17,11 @@ def adjoin_mirror_mismatch(level: Level, facts: LevelFacts) -> Iterator[Finding]
     player, the camera and sight into the wrong sector. JED and SED call it an error; the engine does not look.
 
     ## Bad
-        World adjoins 4
+        World adjoins 2
         1: 0x7 1 1
 
     ## Good
-        World adjoins 4
+        World adjoins 2
         1: 0x7 0 1
     """
     mirrors = level.document.adjoins.mirror.tolist()

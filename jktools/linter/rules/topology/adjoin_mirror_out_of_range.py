@@ -16,15 +16,15 @@ def adjoin_mirror_out_of_range(level: Level, facts: LevelFacts) -> Iterator[Find
     The engine compares the mirror with the number of adjoins, as an unsigned number, and refuses the level.
 
     ## Bad
-        World adjoins 4
-        0: 0x7 4 1
+        World adjoins 2
+        0: 0x7 2 1
 
     ## Bad
-        World adjoins 4
+        World adjoins 2
         0: 0x7 -1 1
 
     ## Good
-        World adjoins 4
+        World adjoins 2
         0: 0x7 1 1
     """
     count = len(level.adjoins)

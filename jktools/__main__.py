@@ -1,0 +1,7 @@
+"""`python -m jktools`."""
+
+import sys
+
+from jktools.cli import main
+
+sys.exit(main())

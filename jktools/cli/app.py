@@ -1,0 +1,94 @@
+"""The command group: subcommands are imported when they are called."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import os
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+import click
+
+from jktools import __version__
+from jktools.cli.status import Status
+
+COMMANDS = {
+    "lint": "find what is wrong with levels",
+    "build": "compile levels to binary files",
+    "inspect": "show what a compiled level holds",
+    "explain": "show a rule's documentation",
+    "rules": "list the rules",
+}
+
+
+class LazyGroup(click.Group):
+    """Imports a subcommand's module when it is called; the list of them needs none."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 (click's signature)
+        """Every subcommand, in the order of the help."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        """Import one subcommand."""
+        if cmd_name not in COMMANDS:
+            return None
+        command: click.Command = importlib.import_module(f"jktools.cli.{cmd_name}").command
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
+        """List the subcommands without importing them."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+
+@click.group(cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="jktools", message="%(prog)s %(version)s")
+def cli() -> None:
+    """Level compiler and static analyser for Jedi Knight and Mysteries of the Sith."""
+
+
+def problem(message: str) -> None:
+    """Tell a problem of the run, as opposed to a finding, on standard error."""
+    click.echo(f"jktools: error: {message}", err=True)
+
+
+def note(message: str) -> None:
+    """Tell something that is no problem, on standard error."""
+    click.echo(f"jktools: note: {message}", err=True)
+
+
+def run(words: Sequence[str]) -> int:
+    """Run a command line and give its exit status; nobody sees a traceback unless they ask for one."""
+    from jktools.source import InputError  # noqa: PLC0415 (numpy comes with it; --help needs none)
+
+    try:
+        return int(cli.main(list(words), prog_name="jktools", standalone_mode=False) or Status.CLEAN)
+    except click.UsageError as error:
+        error.show()
+        return Status.USAGE
+    except (click.ClickException, InputError) as error:
+        problem(error.message if isinstance(error, click.ClickException) else str(error))
+        return Status.USAGE
+    except (click.Abort, KeyboardInterrupt):
+        return 130
+    except BrokenPipeError:
+        # The reader of our output has gone; say nothing, and keep Python from flushing into the void.
+        with contextlib.suppress(OSError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return Status.CLEAN
+    except Exception as error:
+        if os.environ.get("JKTOOLS_TRACEBACK"):
+            raise
+        problem(f"a bug in jktools: {type(error).__name__}: {error} (JKTOOLS_TRACEBACK=1 shows where)")
+        return Status.BUG
+
+
+def common(function: Any) -> Any:
+    """The options that every command over levels has."""
+    game = click.option(
+        "--game", type=click.Choice(["jk", "mots"]), default=None,
+        help="The game whose reading applies. [default: mots for a GOO, else jk]",
+    )  # fmt: skip
+    return game(function)

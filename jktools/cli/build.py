@@ -1,0 +1,44 @@
+"""`jktools build`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from jktools.cli.app import common, note, problem
+from jktools.cli.progress import progress
+from jktools.cli.status import Status
+from jktools.session import Settings, build_all
+from jktools.session.settings import Game
+
+
+@click.command("build")
+@click.argument("paths", nargs=-1, required=True, metavar="PATH...")
+@click.option(
+    "-o", "--output", "out", type=click.Path(path_type=Path), required=True, metavar="OUT",
+    help="A folder, or a .jklb file when there is one level.",
+)  # fmt: skip
+@click.option("-q", "--quiet", is_flag=True, help="Do not list what was written.")
+@common
+def command(paths: tuple[str, ...], out: Path, quiet: bool, game: Game | None) -> int:
+    """Compile every level found to OUT/<name>.jklb.
+
+    Levels of the same name from several packs go to OUT/<pack>/<name>.jklb. A JKL without GEORESOURCE, as
+    static.jkl, is skipped with a note.
+
+    Exit status: 0 all written, 1 a level cannot be compiled, 2 bad usage or a PATH that cannot be read, 3 a bug in
+    jktools.
+    """
+    with progress("compiling") as report:
+        built = build_all(paths, out, Settings(game), report)
+    if not quiet:
+        for level, target, size in built.written:
+            click.echo(f"{level} -> {target} ({size} bytes)")
+    for message in built.skipped:
+        note(message)
+    for message in (*built.refused, *built.problems):
+        problem(message)
+    if built.problems:
+        return Status.USAGE
+    return Status.FINDINGS if built.refused else Status.CLEAN

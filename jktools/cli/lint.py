@@ -1,0 +1,89 @@
+"""`jktools lint`."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import click
+
+from jktools.cli.app import common, problem
+from jktools.cli.progress import progress
+from jktools.cli.status import Status, of_findings
+from jktools.diagnostics import Severity
+from jktools.emit import json as json_format
+from jktools.emit import text as text_format
+from jktools.linter import UnknownRuleError
+from jktools.session import Batch, Settings, check
+from jktools.session.batch import write_atomically
+from jktools.session.settings import Game
+
+
+@click.command("lint")
+@click.argument("paths", nargs=-1, required=True, metavar="PATH...")
+@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text", show_default=True)
+@click.option("--output", type=click.Path(dir_okay=False, path_type=Path), help="Write the report to a file.")
+@click.option("--select", multiple=True, metavar="CODES", help="Run only these rules: JK201, JK2, a name, or several.")
+@click.option("--ignore", multiple=True, metavar="CODES", help="Leave these rules out.")
+@click.option(
+    "--fail-on",
+    type=click.Choice(["error", "warning", "info", "never"]),
+    default="warning",
+    show_default=True,
+    help="The least severity that makes the exit status 1.",
+)
+@click.option("--color", type=click.Choice(["auto", "always", "never"]), default="auto", show_default=True)
+@common
+def command(
+    paths: tuple[str, ...],
+    form: str,
+    output: Path | None,
+    select: tuple[str, ...],
+    ignore: tuple[str, ...],
+    fail_on: str,
+    color: str,
+    game: Game | None,
+) -> int:
+    """Find what is wrong with levels.
+
+    PATH is a level, a folder, a GOB or GOO, or one member as pack.gob!jkl/x.jkl.
+
+    Exit status: 0 clean, 1 findings at or above --fail-on, 2 bad usage or a PATH that cannot be read, 3 a bug in
+    jktools.
+    """
+    settings = Settings(game, _split(select), _split(ignore))
+    try:
+        with progress("linting") as report:
+            batch = check(paths, settings, report)
+    except UnknownRuleError as error:
+        raise click.UsageError(str(error)) from error
+    _write(batch, form, output, color)
+    for message in batch.problems:
+        problem(message)
+    threshold = None if fail_on == "never" else Severity[fail_on.upper()]
+    return max(of_findings(batch.diagnostics, threshold), Status.USAGE if batch.problems else Status.CLEAN)
+
+
+def _split(words: tuple[str, ...]) -> tuple[str, ...]:
+    """`--select JK2,JK301 --select JK4` as one list."""
+    return tuple(part.strip() for word in words for part in word.split(",") if part.strip())
+
+
+def _write(batch: Batch, form: str, output: Path | None, color: str) -> None:
+    if form == "json":
+        report = json_format.findings(batch.diagnostics, batch.files)
+    else:
+        colour = output is None and _wants_colour(color)
+        blocks = [*text_format.render(batch.diagnostics, colour=colour)]
+        report = "\n".join([*blocks, text_format.summary(batch.diagnostics, batch.files) + "\n"])
+    if output is None:
+        click.echo(report, nl=False, color=True)
+    else:
+        write_atomically(output, report.encode())
+
+
+def _wants_colour(color: str) -> bool:
+    if color == "auto":
+        return sys.stdout.isatty() and not os.environ.get("NO_COLOR")
+    return color == "always"

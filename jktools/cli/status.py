@@ -1,0 +1,29 @@
+"""Exit statuses, and which of several wins."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+
+from jktools.diagnostics import Diagnostic, Severity
+
+
+class Status(enum.IntEnum):
+    """What the process ends with; the greater wins."""
+
+    CLEAN = 0
+    FINDINGS = 1
+    USAGE = 2
+    BUG = 3
+
+
+BUG_FAMILY = "JK9"
+
+
+def of_findings(diagnostics: Sequence[Diagnostic], fail_on: Severity | None) -> Status:
+    """3 when a rule failed, 1 when a finding is as bad as `fail_on` (None: never), else 0."""
+    if any(d.code.id.startswith(BUG_FAMILY) for d in diagnostics):
+        return Status.BUG
+    if fail_on is not None and any(d.severity >= fail_on for d in diagnostics):
+        return Status.FINDINGS
+    return Status.CLEAN

@@ -1,0 +1,153 @@
+"""The numeric columns of a compiled level, declared once for writer, reader and range check.
+
+Each entry mirrors a field of grammars/level.fbs, whose attributes say the same; a test compares the two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+STRINGS = "strings"
+"""What indices into Level.strings count."""
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """One vector of a section.
+
+    `rows_of` names the column of the section that has as many rows; None for a column that counts itself. `cuts`
+    names the column that a `*_start` column cuts. `index_of` names what its numbers count: a column of geometry
+    (`vertices`), of another section (`resources.materials`), or `strings`.
+    """
+
+    type: str
+    width: int = 1
+    rows_of: str | None = None
+    cuts: str | None = None
+    index_of: str | None = None
+    or_none: bool = False
+
+
+def _rows(leader: str, columns: Mapping[str, Column]) -> dict[str, Column]:
+    """Columns that all have as many rows as `leader`; `*_start` columns have one more."""
+    return {
+        name: Column(c.type, c.width, None if name == leader else leader, c.cuts, c.index_of, c.or_none)
+        for name, c in columns.items()
+    }
+
+
+_TEXT = Column("u4", index_of=STRINGS)
+
+GEOMETRY: Mapping[str, Column] = MappingProxyType(
+    {
+        "vertices": Column("f4", 3),
+        "texture_vertices": Column("f4", 2),
+        **_rows(
+            "adjoin_flags",
+            {
+                "adjoin_flags": Column("u4"),
+                "adjoin_mirror": Column("i4", index_of="adjoin_flags"),
+                "adjoin_distance": Column("f4"),
+                "adjoin_surface": Column("i4", index_of="surface_flags", or_none=True),
+            },
+        ),
+        **_rows(
+            "surface_flags",
+            {
+                "surface_material": Column("i4", index_of="resources.materials", or_none=True),
+                "surface_flags": Column("u4"),
+                "surface_face_flags": Column("u4"),
+                "surface_geometry_mode": Column("i4"),
+                "surface_light_mode": Column("i4"),
+                "surface_texture_mode": Column("i4"),
+                "surface_adjoin": Column("i4", index_of="adjoin_flags", or_none=True),
+                "surface_extra_light": Column("f4"),
+                "surface_normal": Column("f4", 3),
+                "surface_sector": Column("i4", index_of="sector_flags", or_none=True),
+                "surface_corner_start": Column("u4", cuts="corner_vertex"),
+            },
+        ),
+        "corner_vertex": Column("i4", index_of="vertices"),
+        "corner_texture_vertex": Column("i4", rows_of="corner_vertex", index_of="texture_vertices", or_none=True),
+        "surface_light_start": Column("u4", rows_of="surface_flags", cuts="corner_light"),
+        "corner_light": Column("f4"),
+        **_rows(
+            "sector_flags",
+            {
+                "sector_flags": Column("u4"),
+                "sector_ambient_light": Column("f4"),
+                "sector_extra_light": Column("f4"),
+                "sector_colormap": Column("i4"),
+                "sector_tint": Column("f4", 3),
+                "sector_bound_box": Column("f4", 6),
+                "sector_collide_box": Column("f4", 6),
+                "sector_sound": Column("i4", index_of=STRINGS, or_none=True),
+                "sector_sound_volume": Column("f4"),
+                "sector_center": Column("f4", 3),
+                "sector_radius": Column("f4"),
+                "sector_vertex_start": Column("u4", cuts="sector_vertex"),
+            },
+        ),
+        "sector_vertex": Column("i4", index_of="vertices"),
+        "sector_first_surface": Column("i4", rows_of="sector_flags"),
+        "sector_surface_count": Column("i4", rows_of="sector_flags"),
+    }
+)
+
+_PARAMETERS: Mapping[str, Column] = MappingProxyType(
+    {
+        "parameter_start": Column("u4", rows_of="source", cuts="parameter_key"),
+        "parameter_key": _TEXT,
+        "parameter_value": Column("u4", rows_of="parameter_key", index_of=STRINGS),
+    }
+)
+
+TEMPLATES: Mapping[str, Column] = MappingProxyType(
+    {**_rows("source", {"source": Column("i4"), "name": _TEXT, "parent": _TEXT}), **_PARAMETERS}
+)
+
+THINGS: Mapping[str, Column] = MappingProxyType(
+    {
+        **_rows(
+            "source",
+            {
+                "source": Column("i4"),
+                "number": Column("i4"),
+                "template": _TEXT,
+                "name": _TEXT,
+                "position": Column("f4", 3),
+                "angles": Column("f4", 3),
+                "sector": Column("i4", index_of="geometry.sector_flags"),
+                "arch_light": Column("i4"),
+            },
+        ),
+        **_PARAMETERS,
+    }
+)
+
+COGS: Mapping[str, Column] = MappingProxyType(
+    {
+        **_rows("source", {"source": Column("i4"), "script": _TEXT, "value_start": Column("u4", cuts="value")}),
+        "value": _TEXT,
+    }
+)
+
+_LISTS = (
+    "sounds", "materials", "colormaps", "aiclasses", "models", "sprites", "keyframes", "animclasses", "soundclasses",
+    "cogscripts",
+)  # fmt: skip
+
+RESOURCES: Mapping[str, Column] = MappingProxyType(dict.fromkeys(_LISTS, _TEXT))
+
+SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
+    {
+        "resources": RESOURCES,
+        "geometry": GEOMETRY,
+        "templates": TEMPLATES,
+        "things": THINGS,
+        "cogs": COGS,
+    }
+)
+"""The sections of the file in its order, with their columns."""

@@ -1,0 +1,188 @@
+"""Opens a compiled level: every array is a view of the file, none is copied."""
+
+from __future__ import annotations
+
+import mmap
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from jktools._native_file import verify_level  # noqa: TID251 (this package is the door)
+from jktools.compiler import level_generated as fb
+from jktools.compiler.checksum import is_intact
+from jktools.compiler.columns import SECTIONS, Column
+from jktools.compiler.errors import CompiledFileError
+from jktools.compiler.ranges import first_fault
+
+FORMAT_MAJOR, FORMAT_MINOR = 1, 0
+"""Version of the format that this code writes; it reads every file of the same major version."""
+
+IDENTIFIER = b"JKLB"
+_SMALLEST = 8
+
+
+class Section:
+    """The columns of one section by name: `(n,)` or `(n, width)` views, read-only."""
+
+    def __init__(self, columns: Mapping[str, npt.NDArray[Any]]) -> None:
+        """Hold these columns."""
+        self.columns = columns
+
+    def __getattr__(self, name: str) -> npt.NDArray[Any]:
+        try:
+            return self.columns[name]
+        except KeyError:
+            raise AttributeError(name) from None
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.columns]
+
+
+class CompiledLevel:
+    """A compiled level in memory.
+
+    The columns of geometry are attributes of the level itself (`vertices`, `surface_flags`, ...), those of the
+    other sections of `resources`, `templates`, `things` and `cogs`; a section that the level did not need is None.
+    grammars/level.fbs says what each holds.
+    """
+
+    geometry: Section
+    resources: Section
+    templates: Section | None
+    things: Section | None
+    cogs: Section | None
+
+    def __init__(self, data: bytes | memoryview, path: str = "<bytes>", *, verify: bool = False) -> None:
+        """Check and view a buffer. Raises CompiledFileError; `verify` compares the checksum too."""
+        self.path = path
+        self.data = memoryview(data)
+        self._root = self._checked_root(verify)
+        arrays = {name: self._columns(name) for name in SECTIONS if self._table(name) is not None}
+        fault = first_fault(arrays, self._root.StringsLength())
+        if fault:
+            raise CompiledFileError(f"cannot read {path}: the file is damaged") from ValueError(fault)
+        self.sections: Mapping[str, Section] = {name: Section(columns) for name, columns in arrays.items()}
+        for name in SECTIONS:
+            setattr(self, name, self.sections.get(name))
+
+    def _checked_root(self, verify: bool) -> Any:
+        octets = np.frombuffer(self.data, np.uint8)
+        if len(octets) < _SMALLEST or bytes(self.data[4:8]) != IDENTIFIER:
+            raise CompiledFileError(f"cannot read {self.path}: not a compiled level (no {IDENTIFIER.decode()} mark)")
+        if not verify_level(octets):
+            raise CompiledFileError(f"cannot read {self.path}: the file is cut off or damaged; build it again")
+        root = fb.Level.GetRootAs(self.data)  # type: ignore[no-untyped-call]
+        if root.FormatMajor() != FORMAT_MAJOR:
+            raise CompiledFileError(
+                f"cannot read {self.path}: format version {root.FormatMajor()}.{root.FormatMinor()}, but this jktools "
+                f"reads {FORMAT_MAJOR}.x; build it again or use another version"
+            )
+        if verify and not is_intact(self.data):
+            raise CompiledFileError(f"cannot read {self.path}: the checksum does not match; build it again")
+        return root
+
+    def __getattr__(self, name: str) -> npt.NDArray[Any]:
+        if name in SECTIONS["geometry"] and "sections" in self.__dict__:
+            return self.sections["geometry"].columns[name]
+        raise AttributeError(name)
+
+    def _table(self, section: str) -> Any:
+        return getattr(self._root, section.capitalize())()
+
+    def _columns(self, section: str) -> dict[str, npt.NDArray[Any]]:
+        table = self._table(section)
+        return {name: _view(table, name, column) for name, column in SECTIONS[section].items()}
+
+    @cached_property
+    def strings(self) -> tuple[str, ...]:
+        """Every text of the level."""
+        return tuple(self._root.Strings(i).decode() for i in range(self._root.StringsLength()))
+
+    @property
+    def format(self) -> str:
+        """Version of the file format, `major.minor`."""
+        return f"{self._root.FormatMajor()}.{self._root.FormatMinor()}"
+
+    @property
+    def tool_version(self) -> str:
+        """Version of the jktools that wrote it."""
+        return str(self._root.ToolVersion().decode())
+
+    @property
+    def checksum(self) -> str:
+        """As stored, in hex."""
+        return bytes(self._root.ChecksumAsNumpy()).hex()
+
+    @property
+    def inputs(self) -> list[tuple[str, str]]:
+        """Path inside the pack and SHA-256 of each file that it was made from."""
+        entries = [self._root.Inputs(i) for i in range(self._root.InputsLength())]
+        return [(e.Path().decode(), bytes(e.Sha256AsNumpy()).hex()) for e in entries]
+
+    @property
+    def settings(self) -> dict[str, str]:
+        """What it was compiled for."""
+        settings = self._root.Settings()
+        return {
+            "game": settings.Game().decode(),
+            "engine": settings.Engine().decode(),
+            "accuracy": settings.Accuracy().decode(),
+        }
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many of each kind of object it holds."""
+        counted = {
+            "vertices": ("geometry", "vertices"),
+            "texture_vertices": ("geometry", "texture_vertices"),
+            "surfaces": ("geometry", "surface_flags"),
+            "sectors": ("geometry", "sector_flags"),
+            "adjoins": ("geometry", "adjoin_flags"),
+            "templates": ("templates", "source"),
+            "things": ("things", "source"),
+            "cogs": ("cogs", "source"),
+        }
+        return {
+            kind: len(self.sections[section].columns[column]) if section in self.sections else 0
+            for kind, (section, column) in counted.items()
+        }
+
+    @property
+    def passes(self) -> dict[str, dict[str, Any]]:
+        """Which passes ran; `note` says why one did not."""
+        entries = [self._root.Passes(i) for i in range(self._root.PassesLength())]
+        return {
+            e.Name().decode(): {"ran": e.Ran(), "note": e.Note().decode() if e.Note() is not None else None}
+            for e in entries
+        }
+
+
+def _view(table: Any, name: str, column: Column) -> npt.NDArray[Any]:
+    camel = "".join(part.capitalize() for part in name.split("_"))
+    values = getattr(table, f"{camel}AsNumpy")()
+    if isinstance(values, int):  # the generated code answers 0 for a vector that is absent
+        values = np.zeros(0, f"<{column.type}")
+    values.flags.writeable = False
+    if column.width == 1:
+        return np.asarray(values)
+    return np.asarray(values[: len(values) // column.width * column.width].reshape(-1, column.width))
+
+
+def open_compiled(path: str | Path, verify: bool = False) -> CompiledLevel:
+    """Map a compiled level. Raises CompiledFileError with one sentence on what is wrong.
+
+    Always checks that no offset and no index leads out of the file; `verify` compares the checksum too.
+    """
+    file = Path(path)
+    try:
+        with file.open("rb") as stream:
+            if file.stat().st_size == 0:
+                raise CompiledFileError(f"cannot read {path}: the file is empty")
+            data = memoryview(mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ))
+    except OSError as error:
+        raise CompiledFileError(f"cannot read {path}: {(error.strerror or str(error)).lower()}") from error
+    return CompiledLevel(data, str(path), verify=verify)

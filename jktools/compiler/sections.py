@@ -1,0 +1,137 @@
+"""The columns of each section, taken from a level."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from jktools.compiler.columns import RESOURCES
+from jktools.model import Level
+from jktools.syntax.jkl import Parameters
+
+Columns = Mapping[str, npt.NDArray[Any]]
+Rows = npt.NDArray[np.intp]
+
+
+class Strings:
+    """Every text of the level once, in order of first use."""
+
+    def __init__(self) -> None:
+        self._index: dict[str, int] = {}
+
+    @property
+    def texts(self) -> Sequence[str]:
+        """The texts; an index counts them."""
+        return list(self._index)
+
+    def indices(self, texts: Iterable[str]) -> npt.NDArray[np.uint32]:
+        """The index of each text."""
+        return np.array([self._index.setdefault(text, len(self._index)) for text in texts], np.uint32)
+
+
+def resources(level: Level, strings: Strings) -> Columns:
+    """The plain lists."""
+    return {key: strings.indices(level.names(key)) for key in RESOURCES}
+
+
+def geometry(level: Level, strings: Strings) -> Columns:
+    """Vertices, adjoins, surfaces and sectors as written, with the references between them."""
+    adjoins, surfaces, sectors = level.document.adjoins, level.document.surfaces, level.document.sectors
+    sounds = iter(strings.indices(sound for sound in sectors.sound if sound is not None))
+    return {
+        "vertices": level.vertices,
+        "texture_vertices": level.texture_vertices,
+        "adjoin_flags": adjoins.flags,
+        "adjoin_mirror": adjoins.mirror,
+        "adjoin_distance": adjoins.distance,
+        "adjoin_surface": level.adjoin_surface,
+        "surface_material": surfaces.material,
+        "surface_flags": surfaces.flags,
+        "surface_face_flags": surfaces.face_flags,
+        "surface_geometry_mode": surfaces.geometry_mode,
+        "surface_light_mode": surfaces.light_mode,
+        "surface_texture_mode": surfaces.texture_mode,
+        "surface_adjoin": surfaces.adjoin,
+        "surface_extra_light": surfaces.extra_light,
+        "surface_normal": level.document.normals.direction,
+        "surface_sector": level.surface_sector,
+        "surface_corner_start": surfaces.corner_start,
+        "corner_vertex": surfaces.corner_vertex,
+        "corner_texture_vertex": surfaces.corner_texture_vertex,
+        "surface_light_start": surfaces.light_start,
+        "corner_light": surfaces.light,
+        "sector_flags": sectors.flags,
+        "sector_ambient_light": sectors.ambient_light,
+        "sector_extra_light": sectors.extra_light,
+        "sector_colormap": sectors.colormap,
+        "sector_tint": sectors.tint,
+        "sector_bound_box": sectors.bound_box,
+        "sector_collide_box": sectors.collide_box,
+        "sector_sound": np.array([-1 if sound is None else next(sounds) for sound in sectors.sound], np.int32),
+        "sector_sound_volume": sectors.sound_volume,
+        "sector_center": sectors.center,
+        "sector_radius": sectors.radius,
+        "sector_vertex_start": sectors.vertex_start,
+        "sector_vertex": sectors.vertex,
+        "sector_first_surface": sectors.first_surface,
+        "sector_surface_count": sectors.surface_count,
+    }
+
+
+def templates(level: Level, strings: Strings) -> Columns | None:
+    """Templates as written, without those that the engine drops; None when there are none."""
+    table = level.document.templates
+    kept = np.array([t.index for t in level.templates if t.dropped is None], np.intp)
+    if not len(kept):
+        return None
+    return {
+        "source": kept,
+        "name": strings.indices(table.names[i] for i in kept),
+        "parent": strings.indices(table.parents[i] for i in kept),
+        **_parameters(table.parameters, kept, strings),
+    }
+
+
+def things(level: Level, strings: Strings) -> Columns | None:
+    """Things as placed, without those that the engine drops; None when there are none."""
+    table = level.document.things
+    kept = np.array([t.index for t in level.things if t.dropped is None], np.intp)
+    if not len(kept):
+        return None
+    return {
+        "source": kept,
+        "number": table.number[kept],
+        "template": strings.indices(table.templates[i] for i in kept),
+        "name": strings.indices(table.names[i] for i in kept),
+        "position": table.position[kept],
+        "angles": table.angles[kept],
+        "sector": table.sector[kept],
+        "arch_light": table.arch_light[kept],
+        **_parameters(table.parameters, kept, strings),
+    }
+
+
+def cogs(level: Level, strings: Strings) -> Columns | None:
+    """Placed COGs with their values; None when there are none."""
+    table = level.document.cogs
+    if not len(table):
+        return None
+    return {
+        "source": np.arange(len(table)),
+        "script": strings.indices(table.scripts),
+        "value_start": table.value_start,
+        "value": strings.indices(table.values),
+    }
+
+
+def _parameters(parameters: Parameters, kept: Rows, strings: Strings) -> Columns:
+    counts = np.diff(parameters.start)
+    words = np.concatenate([np.arange(parameters.start[i], parameters.start[i + 1]) for i in kept])
+    return {
+        "parameter_start": np.concatenate([[0], np.cumsum(counts[kept])]),
+        "parameter_key": strings.indices(parameters.keys[i] for i in words),
+        "parameter_value": strings.indices(parameters.values[i] for i in words),
+    }

@@ -1,0 +1,87 @@
+"""Findings and compiled levels as JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
+
+from jktools import __version__
+from jktools.compiler import CompiledLevel
+from jktools.diagnostics import Diagnostic, Label, Severity
+
+VERSION = 1
+"""Of the shape of this output; grows when a reader would have to change."""
+
+
+def findings(diagnostics: Sequence[Diagnostic], files: int) -> str:
+    """The report of a lint run; shape in docs/json.md."""
+    return _dump(
+        {
+            "version": VERSION,
+            "tool": {"name": "jktools", "version": __version__},
+            "summary": {
+                "files": files,
+                **{str(s): sum(d.severity is s for d in diagnostics) for s in reversed(Severity)},
+            },
+            "diagnostics": [_diagnostic(d) for d in diagnostics],
+        }
+    )
+
+
+def compiled(level: CompiledLevel) -> str:
+    """What `inspect` says of a compiled level."""
+    sections = {
+        name: {
+            "bytes": sum(c.nbytes for c in section.columns.values()),
+            "count": sum(c.size for c in section.columns.values()),
+        }
+        for name, section in level.sections.items()
+    }
+    return _dump(
+        {
+            "format": level.format,
+            "level": {
+                "tool_version": level.tool_version,
+                "bytes": level.data.nbytes,
+                "checksum": level.checksum,
+                "inputs": [{"path": path, "sha256": digest} for path, digest in level.inputs],
+            },
+            "settings": level.settings,
+            "sections": sections,
+            "counts": level.counts,
+            "passes": level.passes,
+        }
+    )
+
+
+def _dump(value: dict[str, Any]) -> str:
+    return msgspec.json.format(msgspec.json.encode(value), indent=2).decode() + "\n"
+
+
+def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
+    place = _place(diagnostic.label)
+    last = diagnostic.label.span.last if diagnostic.label.span else None
+    subject = diagnostic.subject
+    return {
+        "code": diagnostic.code.id,
+        "name": diagnostic.code.name,
+        "severity": str(diagnostic.severity),
+        **place,
+        "end_line": last.line if last else None,
+        "end_column": last.column if last else None,
+        "message": diagnostic.message,
+        "help": diagnostic.help,
+        "object": {"kind": subject.kind, "index": subject.index, "name": subject.name} if subject else None,
+        "related": [{**_place(label), "message": label.message} for label in diagnostic.related],
+    }
+
+
+def _place(label: Label) -> dict[str, Any]:
+    first = label.span.first if label.span else None
+    return {
+        "path": label.path,
+        "line": first.line if first else None,
+        "column": first.column if first else None,
+    }

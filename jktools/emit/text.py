@@ -1,0 +1,87 @@
+"""Findings for a terminal: what, where, the line itself, and the cure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import click
+
+from jktools.diagnostics import Diagnostic, Label, Severity
+from jktools.source import Span
+
+_COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.INFO: "cyan"}
+
+MOST_COLUMNS = 160
+"""Longest part of a source line that is shown; what the finding points at stays in view."""
+
+LEAD = 40
+"""Columns shown before the place in a line that is cut."""
+
+
+def render(diagnostics: Sequence[Diagnostic], *, colour: bool = False) -> Iterator[str]:
+    """The report in blocks, one a finding, each ending in a line feed."""
+    for diagnostic in diagnostics:
+        yield "\n".join(_block(diagnostic, colour)) + "\n"
+
+
+def summary(diagnostics: Sequence[Diagnostic], files: int) -> str:
+    """One line that counts: `3 errors, 1 warning in 7 files`."""
+    parts = []
+    for severity in reversed(Severity):
+        count = sum(d.severity is severity for d in diagnostics)
+        if count:
+            parts.append(f"{count} {severity}{'s' if count > 1 else ''}")
+    where = f"{files} file{'' if files == 1 else 's'}"
+    return f"{', '.join(parts)} in {where}" if parts else f"no findings in {where}"
+
+
+def _block(diagnostic: Diagnostic, colour: bool) -> Iterator[str]:
+    def styled(text: str, **style: object) -> str:
+        return click.style(text, **style) if colour else text  # type: ignore[arg-type]
+
+    shade = _COLOURS[diagnostic.severity]
+    head = styled(f"{diagnostic.severity}[{diagnostic.code}]", fg=shade, bold=True)
+    yield f"{head}: {styled(diagnostic.message, bold=True)}"
+    gutter = max((_number_width(label) for label in (diagnostic.label, *diagnostic.related)), default=1)
+    yield from _excerpt(diagnostic.label, "-->", gutter, lambda mark: styled(mark, fg=shade, bold=True))
+    for label in diagnostic.related:
+        yield from _excerpt(label, ":::", gutter, lambda mark: styled(mark, fg="blue"))
+    if diagnostic.help:
+        yield f"{' ' * gutter} = {styled('help', bold=True)}: {diagnostic.help}"
+
+
+def _number_width(label: Label) -> int:
+    return 1 if label.span is None else len(str(label.span.first.line))
+
+
+def _excerpt(label: Label, arrow: str, gutter: int, paint: object) -> Iterator[str]:
+    assert callable(paint)
+    span = label.span
+    if span is None:
+        note = f" {label.message}" if label.message else ""
+        yield f"{' ' * gutter}{arrow} {label.path}{note}"
+        return
+    line, column = span.first
+    yield f"{' ' * gutter}{arrow} {label.path}:{line}:{column}"
+    yield f"{' ' * gutter} |"
+    shown, at, width = _window(span)
+    yield f"{line:>{gutter}} | {shown}"
+    note = f" {label.message}" if label.message else ""
+    yield f"{' ' * gutter} | {' ' * at}{paint('^' * width)}{note}"
+
+
+def _window(span: Span) -> tuple[str, int, int]:
+    """The part of the first line to show (tabs as blanks), and the place and width of the mark in it."""
+    line, column = span.first
+    text = span.source.line(line).replace("\t", " ")
+    text = "".join(c if c.isprintable() else "?" for c in text)
+    last = span.last
+    stop = last.column if last.line == line else len(text) + 1
+    at, width = column - 1, max(1, stop - column)
+    start = 0
+    if len(text) > MOST_COLUMNS:
+        start = max(0, min(at - LEAD, len(text) - MOST_COLUMNS))
+        text = ("..." if start else "") + text[start : start + MOST_COLUMNS] + "..."
+        at += 3 if start else 0
+    at -= start
+    return text, at, max(1, min(width, len(text) - at))

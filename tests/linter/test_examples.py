@@ -1,0 +1,39 @@
+"""The docs' examples are tests: what a page calls bad raises its rule, what it calls good does not."""
+
+from __future__ import annotations
+
+import pytest
+
+from jktools.linter import Rule, lint, rules
+from jktools.linter.rule import Example
+from tests.support.levels import level_of, two_rooms
+
+WITHOUT_EXAMPLES = {"JK009", "JK010", "JK901"}
+"""About a thousand faults, a cut-off pack and a bug: tests of their own below and elsewhere."""
+
+BAD = [(r, e) for r in rules() for e in r.bad]
+GOOD = [(r, e) for r in rules() for e in r.good]
+
+
+def codes(rule: Rule, example: Example) -> set[str]:
+    return {d.code.id for d in lint(level_of(two_rooms(*example.lines)), [rule])}
+
+
+@pytest.mark.parametrize(("rule", "example"), BAD, ids=[f"{r.code}-{i}" for i, (r, _) in enumerate(BAD)])
+def test_bad_examples_raise_their_rule(rule: Rule, example: Example) -> None:
+    assert codes(rule, example) == {rule.code.id}
+
+
+@pytest.mark.parametrize(("rule", "example"), GOOD, ids=[f"{r.code}-{i}" for i, (r, _) in enumerate(GOOD)])
+def test_good_examples_do_not(rule: Rule, example: Example) -> None:
+    assert codes(rule, example) == set()
+
+
+@pytest.mark.parametrize("rule", rules(), ids=lambda r: str(r.code))
+def test_every_rule_is_documented_and_named_alike(rule: Rule) -> None:
+    assert rule.module.rpartition(".")[2] == rule.code.name.replace("-", "_")
+    assert rule.summary.startswith("Report ")
+    assert "## Why it matters" in rule.docs
+    if rule.code.id not in WITHOUT_EXAMPLES:
+        assert rule.bad
+        assert rule.good

@@ -1,0 +1,35 @@
+"""The repository itself: what is generated is current, and nothing names a machine."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+from tests.support.levels import ROOT
+from tools.generate import generate
+
+
+def tracked() -> list[Path]:
+    done = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True)
+    return [ROOT / name for name in done.stdout.split("\n") if name and (ROOT / name).exists()]
+
+
+def test_generated_files_are_current(tmp_path: Path) -> None:
+    made = generate(tmp_path)
+    assert made
+    for path in made:
+        kept = ROOT / path.relative_to(tmp_path)
+        assert kept.read_bytes() == path.read_bytes(), f"{kept}: run make generate"
+
+
+def test_no_file_names_a_machine() -> None:
+    pattern = re.compile(rb"(?<![\w.])/(work|root|home|tmp)/\w")
+    assert [str(p) for p in tracked() if pattern.search(p.read_bytes())] == []
+
+
+def test_rule_pages_hold_no_stray_code() -> None:
+    codes = re.findall(
+        r'@rule\("(JK\d+)"', "".join(p.read_text() for p in (ROOT / "jktools/linter/rules").rglob("*.py"))
+    )
+    assert len(codes) == len(set(codes))
