@@ -20,6 +20,7 @@ COMMANDS = {
     "inspect": "show what a compiled level holds",
     "explain": "show a rule's documentation",
     "rules": "list the rules",
+    "trace": "simulate a body, or fit a recorded one",
 }
 
 

@@ -1,0 +1,124 @@
+"""`jktools trace`: simulate a body under a script, or fit a recording."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from typing import Any
+
+import click
+
+from jktools.engine.attachment import Event
+from jktools.engine.body import WALKPLAYER, Body
+from jktools.engine.integration import Scheme
+from jktools.engine.profile import Engine
+from jktools.engine.simulation import History, Simulation, simulate
+from jktools.engine.thrust import NotStatedError
+from jktools.trace.fit import Fit, FitError, Interval, fit
+from jktools.trace.recording import RecordingError, read
+from jktools.trace.script import ScriptError, parse
+from jktools.trace.write import to_csv, write
+
+PARAMETERS = {field.name for field in dataclasses.fields(Body)}
+
+
+@click.group("trace")
+def command() -> None:
+    """Simulate a body under a script of keys, or fit drag and thrust to a recording."""
+
+
+@command.command("run")
+@click.argument("script", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="OUT.csv, .m or .png; CSV goes to standard output without it.",
+)
+@click.option(
+    "--engine", type=click.Choice([e.value for e in Engine]), default=Engine.RESEARCH.value, show_default=True
+)
+@click.option(
+    "--scheme", type=click.Choice([s.value for s in Scheme]), help="The integrator. [default: the profile's own]"
+)
+@click.option(
+    "--fps", type=click.FloatRange(min=0, min_open=True), default=50.0, show_default=True, help="Frames a second."
+)
+@click.option("--set", "settings", metavar="NAME=VALUE", multiple=True, help="Change one of walkplayer's parameters.")
+def run_command(
+    script: Path, output: Path | None, engine: str, scheme: str | None, fps: float, settings: tuple[str, ...]
+) -> None:
+    """Simulate walkplayer under SCRIPT (its language: jktools/trace/script.py)."""
+    if output is not None and output.suffix.lower() not in (".csv", ".m", ".png"):
+        raise click.BadParameter(f"{output.name} names no format: .csv, .m or .png", param_hint="--output")
+    try:
+        read_script = parse(script.read_text(encoding="utf-8"))
+        body = Simulation(
+            _body(settings), read_script.ground, engine=Engine(engine), scheme=Scheme(scheme) if scheme else None
+        )
+        body.rest_on_ground()
+        history = simulate(body, read_script.phases, read_script.seconds, 1 / fps)
+    except (ScriptError, NotStatedError) as error:
+        raise click.ClickException(f"{script}: {error}") from None
+    if output is None:
+        click.echo(to_csv(history), nl=False)
+    else:
+        write(history, output)
+    _tell(history)
+
+
+def _body(settings: tuple[str, ...]) -> Body:
+    changes: dict[str, Any] = {}
+    for setting in settings:
+        name, _, value = setting.partition("=")
+        if name not in PARAMETERS:
+            raise click.BadParameter(f"{name} is none of {', '.join(sorted(PARAMETERS))}", param_hint="--set")
+        try:
+            changes[name] = int(value, 16) if name == "physflags" else float(value)
+        except ValueError:
+            raise click.BadParameter(f"{value!r} is no value for {name}", param_hint="--set") from None
+    return dataclasses.replace(WALKPLAYER, **changes)
+
+
+def _tell(history: History) -> None:
+    """Incidents and warnings, on standard error: the trace itself may be on standard output."""
+    for warning in history.warnings:
+        click.echo(f"jktools: note: {warning}", err=True)
+    for incident in history.incidents:
+        harm = f", {incident.damage:.1f} points of damage" if incident.damage else ""
+        verb = "lands" if incident.event is Event.ATTACHES else "leaves the ground"
+        click.echo(f"{incident.time:.3f} s: {verb}{harm}", err=True)
+
+
+@command.command("fit")
+@click.argument("log", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option("--from", "start", type=float, default=float("-inf"), help="Seconds; earlier rows are left out.")
+@click.option("--to", "end", type=float, default=float("inf"), help="Seconds; later rows are left out.")
+@click.option("--drag", "known_drag", type=float, help="The drag that the template states: tells integrators apart.")
+def fit_command(log: Path, start: float, end: float, known_drag: float | None) -> None:
+    """Fit drag, thrust and integrator to LOG (its layouts: jktools/trace/recording.py)."""
+    try:
+        found = fit(read(log).between(start, end), known_drag=known_drag)
+    except (RecordingError, FitError, UnicodeDecodeError) as error:
+        raise click.ClickException(f"{log}: {error}") from None
+    click.echo("\n".join(describe(found)))
+
+
+def describe(found: Fit) -> list[str]:
+    """Lay a fit out as lines of text."""
+    lines = [f"{found.frames} frames of motion; intervals are 95 %", ""]
+    lines.append(f"{'integrators':<52}{'drag 1/s':>28}{'part of thrust':>28}{'residual':>12}")
+    for candidate in found.candidates:
+        thrust = _interval(candidate.thrust) if candidate.thrust else "none logged"
+        lines.append(
+            f"{', '.join(candidate.schemes):<52}{_interval(candidate.drag):>28}{thrust:>28}{candidate.residual:>12.3g}"
+        )
+    names = ", ".join(scheme for candidate in found.best for scheme in candidate.schemes)
+    lines += ["", f"explained best by: {names}"]
+    if found.static is not None:
+        lines.append(f"static threshold: at least {found.static[0]:.6g}, below {found.static[1]:.6g} JKU/s")
+    return lines
+
+
+def _interval(interval: Interval) -> str:
+    return f"{interval.value:.5g} ({interval.low:.5g} .. {interval.high:.5g})"
