@@ -87,9 +87,7 @@ def coefficients(
     return Coefficients(body.surfdrag * grip, static * grip if body.surfdrag else 0.0)
 
 
-def stops(
-    velocity: npt.ArrayLike, static: npt.ArrayLike, engine: Engine = Engine.RESEARCH
-) -> npt.NDArray[np.bool_]:
+def stops(velocity: npt.ArrayLike, static: npt.ArrayLike, engine: Engine = Engine.RESEARCH) -> npt.NDArray[np.bool_]:
     """Say which bodies, `(..., 3)`, stop at once: speed at or below the threshold (`openjkdf2`: strictly
     below).
     """

@@ -165,9 +165,7 @@ class Steps:
     def _edges(self, path: _Path, position: Vector) -> Iterator[Contact]:
         for before, after in self._risers():
             upper = max(before, after, key=lambda tread: tread.height)
-            distance = (
-                path.to_point(after.start, upper.height) if upper.surface & SurfaceFlag.COLLISION else None
-            )
+            distance = path.to_point(after.start, upper.height) if upper.surface & SurfaceFlag.COLLISION else None
             if distance is None:
                 continue
             away = (path.y + distance * path.dy - after.start, path.z + distance * path.dz - upper.height)

@@ -38,9 +38,7 @@ def hover_height(
     """
     insert, radius, own = bounded(insert_offset_z), bounded(movesize), bounded(height)
     if engine is Engine.RESEARCH:
-        offset = (
-            np.full_like(insert, CROUCHED_INSERT_OFFSET) if crouching else np.where(own != 0, own, insert)
-        )
+        offset = np.full_like(insert, CROUCHED_INSERT_OFFSET) if crouching else np.where(own != 0, own, insert)
         return np.maximum(offset, radius)
     if crouching:
         return radius + CROUCHED_CLEARANCE + np.zeros_like(insert + own)

@@ -113,9 +113,7 @@ def landing_speed(
     """Give the downward speed, JKU/s, on landing `drop` JKU below a start with upward `speed`; NaN if never
     there.
     """
-    return -closed_form(
-        0.0, speed, -bounded(gravity), airdrag, flight_seconds(speed, drop, airdrag, gravity)
-    ).velocity
+    return -closed_form(0.0, speed, -bounded(gravity), airdrag, flight_seconds(speed, drop, airdrag, gravity)).velocity
 
 
 @np.errstate(under="ignore")

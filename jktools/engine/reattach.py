@@ -115,9 +115,9 @@ def step_up(
     """
     hover = hover_height(insert_offset_z, movesize, height=height, engine=engine)
     r = bounded(rise)
-    return np.where(
-        r <= hover - bounded(movesize), Rise.STEP, np.where(r <= hover, Rise.LIP, Rise.WALL)
-    ).astype(np.int8)
+    return np.where(r <= hover - bounded(movesize), Rise.STEP, np.where(r <= hover, Rise.LIP, Rise.WALL)).astype(
+        np.int8
+    )
 
 
 def walk_down(

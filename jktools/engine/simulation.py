@@ -103,9 +103,7 @@ class Simulation:
         """Give the height at which the body rests over a floor, JKU."""
         b = self.body
         return float(
-            hover.hover_height(
-                b.insert_offset_z, b.movesize, height=b.height, crouching=crouching, engine=self.engine
-            )
+            hover.hover_height(b.insert_offset_z, b.movesize, height=b.height, crouching=crouching, engine=self.engine)
         )
 
     def push(self, force: Vector) -> None:
@@ -118,9 +116,7 @@ class Simulation:
         if effect.detaches:
             self.floor = None
 
-    def tick(
-        self, keys: Keys, dt: float, *, jumps: bool = False
-    ) -> tuple[Float64, list[tuple[Event, float]]]:
+    def tick(self, keys: Keys, dt: float, *, jumps: bool = False) -> tuple[Float64, list[tuple[Event, float]]]:
         """Advance by `dt` seconds; gives the thrust vector `(3,)` and what happened, with the fall's
         damage.
         """
@@ -150,9 +146,7 @@ class Simulation:
             self.body, self.world.sector_thrust, gravity=self.world.gravity, engine=self.engine
         )
         if jumps:
-            self.velocity = self.velocity + np.array(
-                [0.0, 0.0, jump.jump_speed(self.body, crouching=keys.crouch)]
-            )
+            self.velocity = self.velocity + np.array([0.0, 0.0, jump.jump_speed(self.body, crouching=keys.crouch)])
         if jumps or lifted:
             self.floor = None
         return self.floor is None
@@ -198,9 +192,7 @@ class Simulation:
             )
         fall = gravity.gravity_acceleration(b, support, sector=world.sector, gravity=world.gravity)
         if attached and self.engine is Engine.OPENJKDF2:
-            fall = gravity.slope_acceleration(
-                b, grip, moving=bool(self.velocity.any()), gravity=world.gravity
-            )
+            fall = gravity.slope_acceleration(b, grip, moving=bool(self.velocity.any()), gravity=world.gravity)
         return np.add(total, (0.0, 0.0, fall))
 
     def _rested(self, velocity: Float64, acceleration: Float64, pull: float) -> Float64:
@@ -238,9 +230,7 @@ class Simulation:
             self.velocity = self.velocity - normal * min(0.0, float(normal @ self.velocity))
         return contacts
 
-    def _find_floor(
-        self, contacts: Sequence[Contact], moved: bool, impact: Float64
-    ) -> list[tuple[Event, float]]:
+    def _find_floor(self, contacts: Sequence[Contact], moved: bool, impact: Float64) -> list[tuple[Event, float]]:
         """Attach, stay or detach after a move; a landing comes with its damage."""
         was = self.floor is not None
         landed = next((c.floor for c in contacts if c.floor and self._takes(c.floor)), None)
@@ -310,9 +300,7 @@ def simulate(simulation: Simulation, phases: Sequence[Phase], seconds: float, dt
         attached[i + 1] = simulation.floor is not None
         incidents += [Incident((i + 1) * dt, event, damage) for event, damage in events]
     time: Float64 = np.arange(count + 1, dtype=np.float64) * dt
-    return History(
-        time, rows[:, 0], rows[:, 1], rows[:, 2], attached, tuple(incidents), _warnings(simulation, dt)
-    )
+    return History(time, rows[:, 0], rows[:, 1], rows[:, 2], attached, tuple(incidents), _warnings(simulation, dt))
 
 
 def _warnings(simulation: Simulation, dt: float) -> tuple[str, ...]:

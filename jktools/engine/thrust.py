@@ -124,9 +124,7 @@ def surface_thrust_factor(surface: int, engine: Engine = Engine.RESEARCH) -> flo
     if not surface & (SurfaceFlag.DEEP_WATER | SurfaceFlag.VERY_DEEP_WATER):
         return 1.0
     if engine is Engine.RESEARCH:
-        raise NotStatedError(
-            "the research document's factors for deep water are illegible: use engine openjkdf2"
-        )
+        raise NotStatedError("the research document's factors for deep water are illegible: use engine openjkdf2")
     return DEEP_WATER_FACTOR
 
 

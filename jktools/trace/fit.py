@@ -30,7 +30,10 @@ Complex128 = npt.NDArray[np.complex128]
 
 CONFIDENCE = 0.95
 TIE = 2.0
-"""Schemes whose n ln(residual sum) lies within this of the best are as good: a likelihood ratio below e."""
+"""Schemes whose n ln(sum of squares) lies within this of the best are as good: a likelihood ratio below e."""
+LEAST_FRAMES = 4
+ROUNDING = 1e-12
+"""JKU/s: what float64 leaves of a perfect fit."""
 
 _ITERATIONS = 60
 _FAMILIES = (
@@ -96,26 +99,27 @@ def fit(recording: Recording, *, known_drag: float | None = None) -> Fit:
     """Fit drag, thrust and integrator to a recording of one regime: one surface, one look, or free fall's
     plane.
 
-    `known_drag` (1/s), from the template, ranks schemes by how far their drag is from it, in standard errors,
-    instead of by what they leave over. Raises FitError when fewer than four moving frames remain.
+    `known_drag` (1/s), from the template, ranks schemes by how near their drag comes to it instead of by what
+    they leave over. Raises FitError when fewer than four moving frames remain.
     """
     frames = _moving(recording)
-    if len(frames.dt) < 4:
-        raise FitError(f"{len(frames.dt)} frames of motion are too few to fit, 4 are needed")
+    if len(frames.dt) < LEAST_FRAMES:
+        raise FitError(f"{len(frames.dt)} frames of motion are too few to fit, {LEAST_FRAMES} are needed")
     found = [_candidate(family, frames) for family in _FAMILIES]
-    count = 2 * len(frames.dt)
-    if known_drag is None:
-        score = {c: count * math.log(max(c.residual, 1e-300)) for c in found}
-    else:
-        score = {c: abs(c.drag.value - known_drag) / max(c.drag.high - c.drag.low, 1e-300) for c in found}
-    ranked = tuple(sorted(found, key=lambda c: score[c]))
-    if known_drag is None:
-        best = tuple(c for c in ranked if score[c] - score[ranked[0]] <= TIE)
-    else:
+    if known_drag is not None:
+        ranked = sorted(found, key=lambda c: abs(c.drag.value - known_drag))
         best = ranked[:1]
-    return Fit(
-        ranked, tuple(_by_position(c, frames) for c in best), _static_bounds(recording), len(frames.dt)
-    )
+    else:
+        ranked = sorted(found, key=lambda c: c.residual)
+        best = [c for c in ranked if _as_good(c, ranked[0], len(frames.dt))]
+    chosen = tuple(_by_position(c, frames) for c in best)
+    return Fit(tuple(ranked), chosen, _static_bounds(recording), len(frames.dt))
+
+
+def _as_good(one: Candidate, best: Candidate, frames: int) -> bool:
+    """Whether a recording cannot tell two candidates apart; below `ROUNDING` no residual means anything."""
+    ratio = max(one.residual, ROUNDING) / max(best.residual, ROUNDING)
+    return 4 * frames * math.log(ratio) <= TIE
 
 
 def _moving(recording: Recording) -> _Frames:
@@ -135,17 +139,17 @@ def _candidate(schemes: tuple[Scheme, ...], frames: _Frames) -> Candidate:
     parameters = _start(frames)[: 3 if thrusting else 1]
     for _ in range(_ITERATIONS):
         jacobian, left = _jacobian(schemes[0], frames, parameters), _left(schemes[0], frames, parameters)
-        change = np.linalg.lstsq(jacobian, left, rcond=None)[0]
-        parameters = parameters + change
-        if np.abs(change).max() <= 1e-13 * max(1.0, float(np.abs(parameters).max())):
+        change = np.linalg.lstsq(jacobian, left, rcond=None)[0].astype(np.float64)
+        parameters += change
+        if np.abs(change).max() <= 1e-11 * max(1.0, float(np.abs(parameters).max())):
             break
     left = _left(schemes[0], frames, parameters)
-    freedom = len(left) - len(parameters)
+    freedom = max(1, _informative(frames) - len(parameters))
     jacobian = _jacobian(schemes[0], frames, parameters)
     covariance = np.linalg.pinv(jacobian.T @ jacobian) * float(left @ left) / freedom
     wide = _student(freedom)
     drag = _interval(float(parameters[0]), wide * math.sqrt(covariance[0, 0]))
-    residual = math.sqrt(float(left @ left) / len(left))
+    residual = math.sqrt(float(left @ left) / _informative(frames))
     if not thrusting:
         return Candidate(schemes, drag, None, 0.0, residual)
     size = float(np.hypot(*parameters[1:]))
@@ -160,12 +164,16 @@ def _start(frames: _Frames) -> Float64:
     slope = (frames.after - frames.before) / frames.dt
     columns = (-frames.before, frames.thrust, 1j * frames.thrust)
     matrix = np.stack([_parts(column) for column in columns], axis=1)
-    found: Float64 = np.linalg.lstsq(matrix, _parts(slope), rcond=None)[0]
-    return found
+    return np.linalg.lstsq(matrix, _parts(slope), rcond=None)[0].astype(np.float64)
 
 
 def _parts(values: Complex128) -> Float64:
     return np.concatenate([values.real, values.imag])
+
+
+def _informative(frames: _Frames) -> int:
+    """Readings that could be off: a walk along an axis has zeros across it that say nothing of the noise."""
+    return int(np.count_nonzero((_parts(frames.before) != 0) | (_parts(frames.after) != 0)))
 
 
 def _predicted(scheme: Scheme, frames: _Frames, parameters: Float64) -> Complex128:
@@ -201,7 +209,7 @@ def _student(freedom: int) -> float:
         (5 * z**5 + 16 * z**3 + 3 * z) / 96,
         (3 * z**7 + 19 * z**5 + 17 * z**3 - 15 * z) / 384,
     )
-    return z + sum(term / freedom**power for power, term in enumerate(terms, start=1))
+    return z + math.fsum(term / freedom**power for power, term in enumerate(terms, start=1))
 
 
 def _interval(value: float, half: float) -> Interval:
@@ -227,20 +235,13 @@ def _by_position(candidate: Candidate, frames: _Frames) -> Candidate:
 
 
 def _static_bounds(recording: Recording) -> tuple[float, float] | None:
-    """Bracket the threshold: a stop from speed v shows static >= v; a speed that went on without thrust,
-    static < v.
-
-    A stop counts when the body was moving, no thrust acted, and drag alone would have left a tenth of its
-    speed.
-    """
-    speed = np.linalg.norm(recording.velocity, axis=1)
-    free = ~recording.thrust.any(axis=1)
-    coasting = free[1:] & (speed[:-1] > 0)
-    ratio = np.divide(speed[1:], speed[:-1], out=np.ones_like(speed[1:]), where=speed[:-1] > 0)
-    stopped = coasting & (speed[1:] == 0)
-    kept = coasting & (ratio > 0.1)
-    if not stopped.any():
+    """Bracket the threshold: a stop from speed v shows static >= v, a speed that coasted on static < v."""
+    speed: Float64 = np.hypot(recording.velocity[:, 0], recording.velocity[:, 1])
+    before, after = speed[:-1], speed[1:]
+    coasting = (np.abs(recording.thrust).max(axis=1)[1:] == 0) & (before > 0)
+    stops = before[coasting & (after == 0)]
+    if not len(stops):
         return None
-    low = float(speed[:-1][stopped].max())
-    above = speed[:-1][kept & (speed[:-1] > low)]
-    return low, float(above.min()) if len(above) else math.inf
+    low = float(stops.max())
+    went_on = before[coasting & (after > 0) & (before > low)]
+    return low, float(went_on.min()) if len(went_on) else math.inf

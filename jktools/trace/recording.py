@@ -57,9 +57,7 @@ def read(path: Path) -> Recording:
 def parse_raw(data: bytes) -> Recording:
     """Read the raw layout. Raises RecordingError for a length that is no whole number of records."""
     if len(data) % RAW_RECORD.itemsize:
-        raise RecordingError(
-            f"{len(data)} bytes are no whole number of records of {RAW_RECORD.itemsize} bytes"
-        )
+        raise RecordingError(f"{len(data)} bytes are no whole number of records of {RAW_RECORD.itemsize} bytes")
     rows = np.frombuffer(data, RAW_RECORD)
     return _checked(*(rows[name].astype(np.float64) for name in ("time", "thrust", "velocity")))
 

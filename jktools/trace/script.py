@@ -81,13 +81,13 @@ class _Reader:
         ground = None
         if action in GAITS:
             self.keys = _moving(self.keys, action, rest)
-        elif action == "surface" and len(rest) == 1:
+        elif action == "surface":
+            if len(rest) != 1:
+                raise ScriptError("surface takes one name")
             self.treads = [tread._replace(surface=_surface(rest[0])) for tread in self.floors()]
             ground = Steps(tuple(self.treads))
         elif rest:
-            raise ScriptError(
-                f"{action} takes no {rest[0]}" if action != "surface" else "surface takes one name"
-            )
+            raise ScriptError(f"{action} takes no {rest[0]}")
         elif action in ("crouch", "stand"):
             self.keys = dataclasses.replace(self.keys, crouch=action == "crouch")
         elif action == "release":
@@ -128,7 +128,8 @@ def _moving(keys: Keys, gait: str, directions: list[str]) -> Keys:
     if not 1 <= len(directions) <= 2 or any(name not in DIRECTIONS for name in directions):
         raise ScriptError(f"{gait} takes one or two of {', '.join(DIRECTIONS)}")
     axes = dict(DIRECTIONS[name] for name in directions)
-    return Keys(run=gait == "run", slow=gait == "slow", crouch=keys.crouch, **axes)
+    forward, strafe = axes.get("forward", 0.0), axes.get("strafe", 0.0)
+    return Keys(forward, strafe, run=gait == "run", slow=gait == "slow", crouch=keys.crouch)
 
 
 def _surface(name: str) -> int:

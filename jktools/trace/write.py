@@ -35,9 +35,7 @@ def to_csv(history: History) -> str:
     """Write every row as CSV, in digits that read back to the same float64."""
     table = np.column_stack([history.time, history.thrust, history.velocity, history.position])
     lines = (",".join(map(repr, row)) for row in table.tolist())
-    return "\n".join(
-        (",".join((*COLUMNS, "attached")), *map(_with_flag, lines, history.attached.tolist()), "")
-    )
+    return "\n".join((",".join((*COLUMNS, "attached")), *map(_with_flag, lines, history.attached.tolist()), ""))
 
 
 def _with_flag(line: str, attached: bool) -> str:
@@ -80,5 +78,5 @@ def to_png(history: History) -> bytes:
     axes.grid(visible=True, alpha=0.3)
     axes.legend()
     data = io.BytesIO()
-    FigureCanvasAgg(figure).print_png(data, metadata={"Software": None})
+    FigureCanvasAgg(figure).print_figure(data, format="png", metadata={"Software": None})
     return data.getvalue()

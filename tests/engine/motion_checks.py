@@ -138,9 +138,7 @@ def unattached_thrust(golden: Golden) -> None:
     deep = SURFACES["deep-water"]
     for engine in Engine:
         for keys in (WALK, RUN, Keys(forward=1, crouch=True)):
-            vector = thrust.player_thrust(
-                body.WALKPLAYER, keys, Support.AIR, deep, extra_speed=1.0, engine=engine
-            )
+            vector = thrust.player_thrust(body.WALKPLAYER, keys, Support.AIR, deep, extra_speed=1.0, engine=engine)
             assert vector == exactly([0.0, (2.0 + 1.0) * factor, 0.0]), (engine, keys)
 
 
@@ -168,9 +166,7 @@ def surfaces_and_thrust(golden: Golden) -> None:
         for surface in (ICY, VERY_ICY):
             vector = thrust.player_thrust(body.WALKPLAYER, WALK, surface=surface, engine=engine)
             assert bool((vector != on_floor).any()) is rules["icy_changes_thrust"]
-        shallow = thrust.player_thrust(
-            body.WALKPLAYER, WALK, surface=SURFACES["shallow-water"], engine=engine
-        )
+        shallow = thrust.player_thrust(body.WALKPLAYER, WALK, surface=SURFACES["shallow-water"], engine=engine)
         assert shallow == exactly(on_floor * rules["shallow_water_factor"])
 
 
@@ -190,9 +186,7 @@ def actors_accelerate_at_maxthrust(golden: Golden) -> None:
     assert (rules["powerdroid_maxthrust"], rules["robotsentry_maxthrust"]) == (0.2, 0.8)
     for maxthrust in (0.2, 0.8):
         actor = body.Body(maxthrust=maxthrust)
-        ways = [
-            thrust.actor_acceleration(actor, way) for way in ((0, 1, 0), (0, -3, 0), (2, 0, 0), (3, 4, 9))
-        ]
+        ways = [thrust.actor_acceleration(actor, way) for way in ((0, 1, 0), (0, -3, 0), (2, 0, 0), (3, 4, 9))]
         # Every way at full strength, the look not asked for: an actor may walk where it does not look.
         assert np.linalg.norm(ways, axis=1) == exactly([maxthrust] * 4)
         assert bool(ways[1] @ (0.0, -1.0, 0.0) > 0) is rules["moves_before_facing"]
@@ -203,9 +197,7 @@ def actors_read_no_thrust(golden: Golden) -> None:
     rules = golden["actor_thrust"]
     assert rules["uses_thrust_physflag"] == PhysicsFlag.USES_THRUST
     assert rules["get_thing_thrust"] == thrust.ACTOR_READABLE_THRUST
-    without = run(
-        [Phase(0, WALK)], 1.0, of=changed(physflags=body.WALKPLAYER.physflags & ~PhysicsFlag.USES_THRUST)
-    )
+    without = run([Phase(0, WALK)], 1.0, of=changed(physflags=body.WALKPLAYER.physflags & ~PhysicsFlag.USES_THRUST))
     assert without.position[-1, 1] == 0.0
 
 
@@ -221,9 +213,7 @@ def steady_speeds(golden: Golden) -> None:
         force = thrust.player_thrust(body.WALKPLAYER, WALK, support)[1]
         pull = drag.coefficients(body.WALKPLAYER, support, thrusting=True).drag
         assert (force, pull) == exactly((row["thrust"], row["drag"]))
-        assert float(integration.steady_speed(force, pull)) == pytest.approx(
-            row["speed"], abs=row["tolerance"]
-        )
+        assert float(integration.steady_speed(force, pull)) == pytest.approx(row["speed"], abs=row["tolerance"])
         for engine in Engine:
             walked = run([Phase(0, WALK)], 30.0, surface=surface, engine=engine).velocity[-1, 1]
             assert walked == pytest.approx(row["speed"], abs=row["tolerance"])
@@ -235,9 +225,7 @@ def decay_times(golden: Golden) -> None:
     assert fit["rest_speed"] == drag.REST_SPEED[Engine.RESEARCH]
     seconds = np.array([row["seconds"] for row in table])
     frames = drag.decay_frames([row["surfdrag"] for row in table], fit["frame_seconds"])
-    errors = {
-        lost: float(np.abs((frames - lost) * fit["frame_seconds"] / seconds - 1).max()) for lost in range(5)
-    }
+    errors = {lost: float(np.abs((frames - lost) * fit["frame_seconds"] / seconds - 1).max()) for lost in range(5)}
     bound = fit["max_relative_error"]
     assert [lost for lost, error in errors.items() if error < bound] == [fit["frames_lost"]]
     assert math.ceil(errors[2] * 1000) / 1000 == bound
@@ -316,9 +304,7 @@ def _stops_at(threshold: float, engine: Engine) -> None:
 
 def _infinite(threshold: float, engine: Engine) -> None:
     assert threshold == 999.0
-    walk = run(
-        [Phase(0, WALK), Phase(2, Keys())], 3.0, of=changed(staticdrag=threshold), engine=engine
-    ).velocity[:, 1]
+    walk = run([Phase(0, WALK), Phase(2, Keys())], 3.0, of=changed(staticdrag=threshold), engine=engine).velocity[:, 1]
     usual = run([Phase(0, WALK)], 2.0, engine=engine).velocity[:, 1]
     assert (walk[:101] == usual).all()
     assert not walk[101:].any()
@@ -327,14 +313,10 @@ def _infinite(threshold: float, engine: Engine) -> None:
 @holds("gravity.*")
 def gravity_and_mass(golden: Golden) -> None:
     rules = golden["gravity"]
-    falls = [
-        run([], 2.0, start=(0, 0, 9), surface=0, of=changed(mass=mass)).position for mass in (0.1, 1000.0)
-    ]
+    falls = [run([], 2.0, start=(0, 0, 9), surface=0, of=changed(mass=mass)).position for mass in (0.1, 1000.0)]
     assert bool((falls[0] != falls[1]).any()) is rules["mass_changes_fall"]
     assert falls[0][-1, 2] < falls[0][0, 2] - 1
-    light, heavy = (
-        gravity.apply_force(body.Body(mass=mass), (1, 0, 0)).velocity_change[0] for mass in (0.1, 1000.0)
-    )
+    light, heavy = (gravity.apply_force(body.Body(mass=mass), (1, 0, 0)).velocity_change[0] for mass in (0.1, 1000.0))
     assert bool(heavy < light) is rules["heavy_is_harder_to_push"]
     assert (light, heavy) == exactly((10.0, 0.001))
 
@@ -383,10 +365,7 @@ def strifles(golden: Golden) -> None:
 def create_thing_nr(golden: Golden) -> None:
     ghost = orientation.matrix((0, 45, 0))
     pairs = [
-        [
-            orientation.created(how, t, spawner=ghost)
-            for how in (Creation.CREATE_THING, Creation.CREATE_THING_NR)
-        ]
+        [orientation.created(how, t, spawner=ghost) for how in (Creation.CREATE_THING, Creation.CREATE_THING_NR)]
         for t in TEMPLATES
     ]
     same = all((a == b).all() for a, b in pairs)
@@ -436,12 +415,8 @@ def attach_flags(golden: Golden) -> None:
 @holds("flags.weapon.*")
 def weapon_flags(golden: Golden) -> None:
     assert golden["flags"]["weapon"] == {flag.name.lower(): flag for flag in WeaponFlag}
-    assert attachment.weapon_sticks(0x80, to_thing=False) and not attachment.weapon_sticks(
-        0x80, to_thing=True
-    )
-    assert attachment.weapon_sticks(0x800, to_thing=True) and not attachment.weapon_sticks(
-        0x800, to_thing=False
-    )
+    assert attachment.weapon_sticks(0x80, to_thing=False) and not attachment.weapon_sticks(0x80, to_thing=True)
+    assert attachment.weapon_sticks(0x800, to_thing=True) and not attachment.weapon_sticks(0x800, to_thing=False)
 
 
 @holds("insert_offset.only_z_matters", "insert_offset.default.*")
@@ -461,20 +436,13 @@ def crouching(golden: Golden) -> None:
     assert golden["insert_offset"]["zero_z"] == "sinks to the sphere; crouching raises the view at once"
     assert float(hover.hover_height(0.0, 0.065)) == 0.065
     # The decompiled engine explains the second half: crouched it hovers 0.005 higher, which takes 0.01 s.
-    heights = [
-        float(hover.hover_height(0.0, 0.065, crouching=down, engine=Engine.OPENJKDF2))
-        for down in (False, True)
-    ]
+    heights = [float(hover.hover_height(0.0, 0.065, crouching=down, engine=Engine.OPENJKDF2)) for down in (False, True)]
     assert heights == exactly([0.07, 0.075])
-    crouched = run(
-        [Phase(0.5, Keys(crouch=True))], 1.0, of=changed(insert_offset_z=0.0), engine=Engine.OPENJKDF2
-    )
+    crouched = run([Phase(0.5, Keys(crouch=True))], 1.0, of=changed(insert_offset_z=0.0), engine=Engine.OPENJKDF2)
     assert crouched.position[[25, 26], 2] == exactly([0.07, 0.075])
 
 
-@holds(
-    "insert_offset.transition", "insert_offset.transition_seen_at_insert_offset_z", "insert_offset.landing"
-)
+@holds("insert_offset.transition", "insert_offset.transition_seen_at_insert_offset_z", "insert_offset.landing")
 def landing_transition(golden: Golden) -> None:
     rules = golden["insert_offset"]
     assert rules["transition"] == "linear, 'perhaps a quarter of a second'"
@@ -533,15 +501,11 @@ def changeovers(golden: Golden) -> None:
 @holds("reattach.pit.*")
 def pits(golden: Golden) -> None:
     rows = golden["reattach"]["pit"]
-    assert [(row["insert_offset_z"], row["depth"]) for row in rows] == [
-        (0.120114, d) for d in (0.11, 0.13, 0.2)
-    ]
+    assert [(row["insert_offset_z"], row["depth"]) for row in rows] == [(0.120114, d) for d in (0.11, 0.13, 0.2)]
     for row in rows:
         for engine in Engine:
             for keys in (WALK, RUN):  # "even when running over them"
-                crossed = run(
-                    [Phase(0, keys)], 1.5, start=(0, -0.2, 0), ground=Steps.pit(row["depth"]), engine=engine
-                )
+                crossed = run([Phase(0, keys)], 1.5, start=(0, -0.2, 0), ground=Steps.pit(row["depth"]), engine=engine)
                 assert bool(crossed.attached.all()) is row["seamless"], (row, engine, keys)
 
 

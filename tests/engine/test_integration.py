@@ -27,9 +27,7 @@ def march(scheme: Scheme, seconds: float, dt: float, *, v: float = 0.0, a: float
 @pytest.mark.parametrize(("v", "a"), [(0.0, 2.0), (1.0, 0.0)], ids=["walk", "stop"])
 def test_order_of_accuracy(scheme: Scheme, quantity: str, v: float, a: float) -> None:
     true = getattr(closed_form(0.0, v, a, DRAG, 1.0), quantity)
-    errors = [
-        abs(float(getattr(march(scheme, 1.0, dt, v=v, a=a), quantity) - true)) for dt in (1 / 50, 1 / 100)
-    ]
+    errors = [abs(float(getattr(march(scheme, 1.0, dt, v=v, a=a), quantity) - true)) for dt in (1 / 50, 1 / 100)]
     assert math.log2(errors[0] / errors[1]) == pytest.approx(TRAITS[scheme].order, abs=0.1)
 
 
@@ -94,9 +92,7 @@ def textbook(scheme: Scheme, x: float, v: float, dt: float) -> tuple[float, floa
 def test_textbook_step(scheme: Scheme) -> None:
     for x, v, dt in ((0.5, 0.2, 0.1), (-3.0, 4.0, 0.02), (0.0, 0.0, 0.3)):
         position, velocity, _ = textbook(scheme, x, v, dt)
-        assert step(scheme, x, v, THRUST, DRAG, dt) == pytest.approx(
-            (position, velocity), rel=1e-13, abs=1e-15
-        )
+        assert step(scheme, x, v, THRUST, DRAG, dt) == pytest.approx((position, velocity), rel=1e-13, abs=1e-15)
 
 
 @pytest.mark.parametrize("scheme", STEPPED)
@@ -139,8 +135,7 @@ def test_engine_clamps() -> None:
 def test_blow_up_is_said() -> None:
     said = integration.instability(Scheme.SEMI_IMPLICIT_EULER, 999.0, 0.02)
     assert said == (
-        "semi-implicit-euler blows up: dt x drag = 19.98 exceeds 2, "
-        "so each step multiplies the speed by 18.98"
+        "semi-implicit-euler blows up: dt x drag = 19.98 exceeds 2, so each step multiplies the speed by 18.98"
     )
     assert integration.instability(Scheme.ENGINE, 999.0, 0.02) is None
     assert integration.instability(Scheme.EXPLICIT_EULER, 100.0, 0.02) is None
@@ -166,9 +161,7 @@ def test_closed_form_keeps_its_digits(k: float, t: float) -> None:
 def test_closed_form_composes() -> None:
     """Two halves make a whole: what only the true flow does."""
     half = closed_form(0.3, 1.0, 2.0, 3.0, 0.25)
-    assert closed_form(*half, 2.0, 3.0, 0.25) == pytest.approx(
-        closed_form(0.3, 1.0, 2.0, 3.0, 0.5), rel=1e-14
-    )
+    assert closed_form(*half, 2.0, 3.0, 0.25) == pytest.approx(closed_form(0.3, 1.0, 2.0, 3.0, 0.5), rel=1e-14)
 
 
 def test_step_broadcasts() -> None:

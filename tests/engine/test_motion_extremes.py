@@ -45,9 +45,7 @@ def vectors(numbers: st.SearchStrategy[float]) -> st.SearchStrategy[Triple]:
 
 
 @given(SCHEMES, WILD, WILD, WILD, DRAGS, STEPS)
-def test_step_gives_nan_only_for_nan(
-    scheme: Scheme, x: float, v: float, a: float, k: float, dt: float
-) -> None:
+def test_step_gives_nan_only_for_nan(scheme: Scheme, x: float, v: float, a: float, k: float, dt: float) -> None:
     motion = integration.step(scheme, x, v, a, k, dt)
     assert math.isnan(motion.velocity) == (math.isnan(v) or math.isnan(a))
     assert math.isnan(motion.position) == (math.isnan(x) or math.isnan(v) or math.isnan(a))

@@ -101,9 +101,7 @@ def test_what_switches_static_drag_off() -> None:
 
 
 def test_static_threshold_at_or_below() -> None:
-    speeds = np.array(
-        [[0.0, 0.3, 0.0], [0.0, math.nextafter(0.3, 0), 0.0], [0.0, math.nextafter(0.3, 1), 0.0]]
-    )
+    speeds = np.array([[0.0, 0.3, 0.0], [0.0, math.nextafter(0.3, 0), 0.0], [0.0, math.nextafter(0.3, 1), 0.0]])
     assert drag.stops(speeds, 0.3).tolist() == [True, True, False]
     assert drag.stops(speeds, 0.3, OPEN).tolist() == [False, True, False]
     assert not drag.stops([0.0, 0.0, 0.0], 0.0)

@@ -110,9 +110,7 @@ def scale_field(name: str) -> Callable[[Any, float], Any]:
 
 
 def scale_drag(function: Any, factor: float) -> Any:
-    return lambda *args, **kwargs: function(*args, **kwargs)._replace(
-        drag=function(*args, **kwargs).drag * factor
-    )
+    return lambda *args, **kwargs: function(*args, **kwargs)._replace(drag=function(*args, **kwargs).drag * factor)
 
 
 def scale_static(function: Any, factor: float) -> Any:
@@ -181,9 +179,7 @@ MUTATIONS = [
     Mutation(checks.sector_thrust, gravity, "sector_acceleration", scale_result),
     Mutation(checks.sector_thrust, gravity, "gravity_acceleration", scale_result),
     Mutation(checks.strifles, orientation, "matrix", scale_angles),
-    Mutation(
-        checks.angular_velocity_axis, orientation, "spin", lambda f, s: lambda m, w, dt: f(m, w, dt * s)
-    ),
+    Mutation(checks.angular_velocity_axis, orientation, "spin", lambda f, s: lambda m, w, dt: f(m, w, dt * s)),
     Mutation(checks.default_insert_offset, hover, "hover_height", scale_result),
     Mutation(checks.crouching, hover, "CROUCHED_CLEARANCE", scale),
     Mutation(checks.crouching, hover, "LEAST_CLEARANCE", scale),

@@ -1,0 +1,76 @@
+"""The script language: what each line does, and what is said about a line that makes no sense."""
+
+from __future__ import annotations
+
+import pytest
+
+from jktools.engine.ground import SURFACES, Steps, Tread
+from jktools.engine.simulation import Phase
+from jktools.engine.thrust import Keys
+from jktools.trace.script import ScriptError, parse
+
+
+def test_every_line() -> None:
+    script = parse(
+        """
+        floor -1 0             # a kerb
+        floor 2 0.05 icy
+        0    walk forward
+        1    run back left
+        1.5  crouch
+        2    jump
+        2.5  stand
+        3    surface non-floor
+        4    release
+        5    slow right
+        6.25 end
+        """
+    )
+    assert script.ground == Steps((Tread(-1, 0), Tread(2, 0.05, SURFACES["icy"])))
+    assert script.seconds == 6.25
+    away = Keys(-1, -1, run=True)
+    sliding = Steps((Tread(-1, 0, SURFACES["non-floor"]), Tread(2, 0.05, SURFACES["non-floor"])))
+    assert script.phases == (
+        Phase(0, Keys(1)),
+        Phase(1, away),
+        Phase(1.5, Keys(-1, -1, run=True, crouch=True)),
+        Phase(2, Keys(-1, -1, run=True, crouch=True, jump=True)),
+        Phase(2.5, away),
+        Phase(3, away, sliding),
+        Phase(4, Keys()),
+        Phase(5, Keys(strafe=1, slow=True)),
+    )
+
+
+def test_flat_ground_without_floor_lines() -> None:
+    script = parse("0 surface icy\n1 surface floor\n2 end")
+    assert script.ground == Steps.flat()
+    assert [phase.ground for phase in script.phases] == [Steps.flat(SURFACES["icy"]), Steps.flat()]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("0 walk", "line 1: walk takes one or two of forward, back, left, right"),
+        ("0 walk up\n1 end", "line 1: walk takes one or two of forward, back, left, right"),
+        ("\n0 fly", "line 2: fly is no action: walk, run, slow, release, crouch, stand, jump, surface, end"),
+        ("0 surface lava", "line 1: lava is no surface: floor, non-floor, icy, very-icy"),
+        ("0 surface", "line 1: surface takes one name"),
+        ("0 jump high", "line 1: jump takes no high"),
+        ("soon jump", "line 1: soon is no number"),
+        ("nan jump", "line 1: nan is no number"),
+        ("-1 jump", "line 1: time -1 is before the start"),
+        ("1 jump\n0.5 jump", "line 2: time 0.5 comes before 1"),
+        ("1", "line 1: a time needs an action"),
+        ("floor 0 0\nfloor 0 1", "line 2: floor at 0 does not come after 0"),
+        ("floor 0", "line 1: a floor needs its start and height, and may have a surface"),
+        ("0 jump\nfloor 0 0", "line 2: floors come before the first time"),
+        ("1 end\n2 jump", "line 2: nothing may follow the end"),
+        ("0 jump", "no line says where the trace ends, such as: 10 end"),
+        ("", "no line says where the trace ends, such as: 10 end"),
+    ],
+)
+def test_what_is_said(text: str, said: str) -> None:
+    with pytest.raises(ScriptError) as caught:
+        parse(text)
+    assert str(caught.value).startswith(said)
