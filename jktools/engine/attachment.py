@@ -1,5 +1,4 @@
-"""Attachment: when a body attaches to a surface or a thing, stays and detaches, and what the attach flags
-mean.
+"""Attachment: when a body attaches to a surface or a thing, stays and detaches, and what the attach flags mean.
 
 Research document, "Attachment" and "Detecting Detachment"; sithPhysics_FindFloor, sithThing_AttachToSurface
 and sithThing_LandThing in the decompiled engine.
@@ -31,9 +30,7 @@ class Reading(enum.StrEnum):
 
 
 READING_OF = {Engine.RESEARCH: Reading.DATAMASTER, Engine.OPENJKDF2: Reading.JKSPECS}
-"""The research document trusts DataMaster without a test of its own; the decompiled engine follows
-JKSpecs.
-"""
+"""The research document trusts DataMaster without a test of its own; the decompiled engine follows JKSpecs."""
 
 ATTACH_FLAGS = {
     Reading.DATAMASTER: {
@@ -81,9 +78,7 @@ def takes_floor(physflags: int, surface: int, normal_z: float = 1.0) -> bool:
 
 
 def takes_face(physflags: int, thing_flags: int, normal_z: float) -> bool:
-    """Say whether a body can land on a face of a thing of type cog: standable, and not too steep for floor
-    stick.
-    """
+    """Say whether a body can land on a face of a thing of type cog: standable, and not too steep for floor stick."""
     if physflags & PhysicsFlag.WALL_STICK:
         return True
     return bool(physflags & PhysicsFlag.FLOOR_STICK and thing_flags & STANDABLE) and normal_z >= FACE_NORMAL_Z

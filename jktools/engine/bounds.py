@@ -26,9 +26,7 @@ def bounded(values: npt.ArrayLike) -> Float64:
 
 
 def length(vectors: npt.ArrayLike) -> Float64:
-    """Measure vectors along the last axis: `(..., n) -> (...)`, without overflow or underflow of the
-    squares.
-    """
+    """Measure vectors along the last axis: `(..., n) -> (...)`, without overflow or underflow of the squares."""
     array = np.abs(bounded(vectors))
     scale = array.max(axis=-1, keepdims=True)
     unit = np.divide(array, scale, out=np.zeros_like(array), where=scale != 0)

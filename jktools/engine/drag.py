@@ -42,9 +42,7 @@ class Coefficients(NamedTuple):
 
 
 def friction(surface: int, *, turning: bool = False) -> float:
-    """Give a surface's friction in `openjkdf2`: 1, icy 0.3, very icy 0.25 (0.1 where only `turning` reads
-    it).
-    """
+    """Give a surface's friction in `openjkdf2`: 1, icy 0.3, very icy 0.25 (0.1 where only `turning` reads it)."""
     if surface & SurfaceFlag.VERY_ICY:
         return VERY_ICY_FRICTION if turning else LEAST_FRICTION
     return ICY_FRICTION if surface & SurfaceFlag.ICY else 1.0
@@ -88,9 +86,7 @@ def coefficients(
 
 
 def stops(velocity: npt.ArrayLike, static: npt.ArrayLike, engine: Engine = Engine.RESEARCH) -> npt.NDArray[np.bool_]:
-    """Say which bodies, `(..., 3)`, stop at once: speed at or below the threshold (`openjkdf2`: strictly
-    below).
-    """
+    """Say which bodies, `(..., 3)`, stop at once: speed at or below the threshold (`openjkdf2`: strictly below)."""
     speed, static = length(velocity), bounded(static)
     below = speed <= static if engine is Engine.RESEARCH else speed < static
     return np.asarray(below & (static != 0))
@@ -111,8 +107,7 @@ def apply_drag(
     dt: npt.ArrayLike,
     engine: Engine = Engine.RESEARCH,
 ) -> Float64:
-    """Take one tick's drag off velocities `(..., 3)`; `drag` (1/s), `static` (JKU/s) and `dt` (s) are
-    `(...)`.
+    """Take one tick's drag off velocities `(..., 3)`; `drag` (1/s), `static` (JKU/s) and `dt` (s) are `(...)`.
 
     `research`: v - v drag dt, as Tables 13 and 14 have it, which reverses and beyond dt x drag = 2 blows up.
     `openjkdf2`: the same with drag dt clamped to 1, so that the worst is a full stop.

@@ -31,9 +31,7 @@ class SectorFlag(enum.IntFlag):
 
 
 class PhysicsFlag(enum.IntFlag):
-    """Physics flags (`physflags` of a template). Where the community's documents differ, the engine is
-    followed.
-    """
+    """Physics flags (`physflags` of a template). Where the community's documents differ, the engine is followed."""
 
     GRAVITY = 0x1
     USES_THRUST = 0x2
@@ -43,9 +41,7 @@ class PhysicsFlag(enum.IntFlag):
     ORIENTATION_SETTLED = 0x100
     """Cleared at each new attachment and set once the body is upright: DataMaster's "attached"."""
     KEEP_UPRIGHT = 0x800
-    """Stay upright and measure height along z. DataMaster: gravity while attached, which the engine
-    contradicts.
-    """
+    """Stay upright and measure height along z. DataMaster: gravity while attached, which the engine contradicts."""
     FLIES = 0x2000
     FEELS_BLAST = 0x4000
     """Pushed by explosions, in the air too. DataMaster: when attached, which the engine contradicts."""

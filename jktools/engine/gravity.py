@@ -97,9 +97,7 @@ def sector_acceleration(
 def sector_thrust_detaches(
     body: Body, thrust: npt.ArrayLike, *, gravity: float = WORLD_GRAVITY, engine: Engine = Engine.RESEARCH
 ) -> bool:
-    """Say whether an attached body is lifted off: never in `research`; `openjkdf2`: thrust z above gravity *
-    mass.
-    """
+    """Say whether an attached body is lifted off: never in `research`; `openjkdf2`: thrust z above gravity * mass."""
     if engine is Engine.RESEARCH or not feels_sector_thrust(body, SectorFlag.THRUST):
         return False
     return bool(bounded(thrust)[..., 2] > bounded(gravity) * bounded(body.mass))
@@ -107,8 +105,7 @@ def sector_thrust_detaches(
 
 @np.errstate(under="ignore")
 def apply_force(body: Body, force: npt.ArrayLike) -> Push:
-    """Push a body with a force `(3,)` (mass JKU/s): velocity changes by force / mass, and not at all without
-    mass.
+    """Push a body with a force `(3,)` (mass JKU/s): velocity changes by force / mass, and not at all without mass.
 
     The heavier, the harder to push (research document, "Gravity"); the quotient and its consequences are
     sithPhysics_ThingApplyForce's.

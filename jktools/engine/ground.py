@@ -52,9 +52,7 @@ class Contact(NamedTuple):
 
 
 class Ground(Protocol):
-    """The world as a body feels it. A level's sectors answer the same two questions as the floors given
-    here.
-    """
+    """The world as a body feels it. A level's sectors answer the same two questions as the floors given here."""
 
     def floor_below(self, position: Vector, reach: float, radius: float, required: int) -> Floor | None:
         """Find the first surface with all flags of `required` that a sphere meets on its way straight down.

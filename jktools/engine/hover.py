@@ -46,8 +46,7 @@ def hover_height(
 
 
 def settle(error: npt.ArrayLike, dt: npt.ArrayLike) -> Float64:
-    """Give what one tick of `dt` seconds leaves of a height error, JKU, above (+) or below (-) the hover
-    height.
+    """Give what one tick of `dt` seconds leaves of a height error, JKU, above (+) or below (-) the hover height.
 
     At most 0.5 JKU/s either way, along z for bodies kept upright and else along the floor's normal.
     """

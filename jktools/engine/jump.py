@@ -58,8 +58,7 @@ def flight_seconds(
     airdrag: npt.ArrayLike = 0.0,
     gravity: npt.ArrayLike = WORLD_GRAVITY,
 ) -> Float64:
-    """Find when a jump comes down to `drop` JKU below its start (negative: above); NaN where it never gets so
-    high.
+    """Find when a jump comes down to `drop` JKU below its start (negative: above); NaN where it never gets so high.
 
     To the last bit that bisection of the closed form resolves.
     """
@@ -93,8 +92,7 @@ def reach(
     crouching: bool = False,
     gravity: npt.ArrayLike = WORLD_GRAVITY,
 ) -> Float64:
-    """Find how far, JKU, a jump carries over level ground or onto one `drop` JKU lower; NaN where it is too
-    high.
+    """Find how far, JKU, a jump carries over level ground or onto one `drop` JKU lower; NaN where it is too high.
 
     `run_up` is the horizontal speed at the start, `steering` the horizontal acceleration in the air (a held
     forward key gives 0.3 maxthrust).
@@ -110,9 +108,7 @@ def landing_speed(
     airdrag: npt.ArrayLike = 0.0,
     gravity: npt.ArrayLike = WORLD_GRAVITY,
 ) -> Float64:
-    """Give the downward speed, JKU/s, on landing `drop` JKU below a start with upward `speed`; NaN if never
-    there.
-    """
+    """Give the downward speed, JKU/s, on landing `drop` JKU below a start with upward `speed`; NaN if never there."""
     return -closed_form(0.0, speed, -bounded(gravity), airdrag, flight_seconds(speed, drop, airdrag, gravity)).velocity
 
 

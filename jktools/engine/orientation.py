@@ -60,8 +60,7 @@ def _index(turn: Float64) -> npt.NDArray[np.intp]:
 
 
 def angles(matrices: npt.ArrayLike) -> Float64:
-    """Read pitch, yaw, roll off look matrices: `(..., 3, 3) -> (..., 3)`, degrees in -180 .. 180, pitch -90
-    .. 90.
+    """Read pitch, yaw, roll off look matrices: `(..., 3, 3) -> (..., 3)`, degrees in -180 .. 180, pitch -90 .. 90.
 
     Looking straight up or down, where only yaw -+ roll can be known (gimbal lock), roll is 0 and yaw has all
     of it.
@@ -97,9 +96,7 @@ def created(
 
 
 def created_velocity(velocity: npt.ArrayLike, look: npt.ArrayLike, *, rotate: bool = True) -> Float64:
-    """Give a created thing's first velocity: its template's `vel` in its own frame, unless physics flag
-    0x20000.
-    """
+    """Give a created thing's first velocity: its template's `vel` in its own frame, unless physics flag 0x20000."""
     v = bounded(velocity)
     return (bounded(look) @ v[..., None])[..., 0] if rotate else v
 
@@ -114,8 +111,7 @@ def spin(look: npt.ArrayLike, angular_velocity: npt.ArrayLike, dt: npt.ArrayLike
 
 
 def renormalised(look: npt.ArrayLike) -> Float64:
-    """Take the drift out of look matrices `(..., 3, 3)`: look keeps its direction, right and up are squared
-    to it.
+    """Take the drift out of look matrices `(..., 3, 3)`: look keeps its direction, right and up are squared to it.
 
     The engine does so every eighth tick.
     """

@@ -90,8 +90,7 @@ def taken_at_edge(
     *,
     height: npt.ArrayLike = 0.0,
 ) -> npt.NDArray[np.bool_]:
-    """Say whether the lower floor is taken as soon as the position passes the edge: drop at most H
-    (`openjkdf2`).
+    """Say whether the lower floor is taken as soon as the position passes the edge: drop at most H (`openjkdf2`).
 
     A deeper one, up to the reattach distance, is taken by the sphere's sweep once the position is movesize
     past the edge; so a gap narrower than two movesizes goes unnoticed.

@@ -18,10 +18,10 @@ from jktools.engine.attachment import Event
 from jktools.engine.body import Body
 from jktools.engine.bounds import Float64
 from jktools.engine.flags import PhysicsFlag, SectorFlag, SurfaceFlag
-from jktools.engine.ground import SURFACES, TOUCH, Contact, Floor, Ground, Steps, Vector
+from jktools.engine.ground import SURFACES, TOUCH, UP, Contact, Floor, Ground, Steps, Vector
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
-from jktools.engine.thrust import Keys, Support, player_thrust, thrust_acceleration
+from jktools.engine.thrust import Keys, Support, capped, player_thrust, thrust_acceleration
 
 SCHEME_OF = {Engine.RESEARCH: Scheme.SEMI_IMPLICIT_EULER, Engine.OPENJKDF2: Scheme.ENGINE}
 """The document assumes Euler, velocity first; the decompiled engine is that with its drag clamped."""
@@ -89,9 +89,7 @@ class Simulation:
     force_applied: bool = False
 
     def rest_on_ground(self) -> None:
-        """Set the body down where it is: at its hover height on a floor, at its sphere's on any other
-        surface.
-        """
+        """Set the body down where it is: at its hover height on a floor, at its sphere's on any other surface."""
         radius = self.body.movesize
         under = self.ground.floor_below(self._place(), np.inf, 0.0, int(SurfaceFlag.COLLISION))
         if under is None:
@@ -107,9 +105,7 @@ class Simulation:
         )
 
     def push(self, force: Vector) -> None:
-        """Apply a force (mass JKU/s): changes velocity at once, may lift the body off, spares it one tick's
-        drag.
-        """
+        """Apply a force (mass JKU/s): changes velocity at once, may lift the body off, spares it one tick's drag."""
         effect = gravity.apply_force(self.body, force)
         self.velocity = self.velocity + effect.velocity_change
         self.force_applied |= effect.skips_drag
@@ -117,9 +113,7 @@ class Simulation:
             self.floor = None
 
     def tick(self, keys: Keys, dt: float, *, jumps: bool = False) -> tuple[Float64, list[tuple[Event, float]]]:
-        """Advance by `dt` seconds; gives the thrust vector `(3,)` and what happened, with the fall's
-        damage.
-        """
+        """Advance by `dt` seconds; gives the thrust vector `(3,)` and what happened, with the fall's damage."""
         events: list[tuple[Event, float]] = []
         if self._lifts_off(keys, jumps):
             events.append((Event.DETACHES, 0.0))
@@ -153,7 +147,7 @@ class Simulation:
 
     def _displacement(self, thrust: Float64, keys: Keys, support: Support, dt: float) -> Float64:
         """Step the velocity and give the way of this tick, before collisions."""
-        acceleration = self._acceleration(thrust, keys, support)
+        acceleration = self._acceleration(thrust, keys, support, dt)
         pull = drag.coefficients(
             self.body,
             support,
@@ -176,29 +170,27 @@ class Simulation:
         way = np.where(self.velocity.any(), way - normal * (normal @ way), np.zeros(3))
         return way + normal * self._settling(keys.crouch, dt)
 
-    def _acceleration(self, thrust: Float64, keys: Keys, support: Support) -> Float64:
-        attached, b, world = self.floor is not None, self.body, self.world
-        grip = drag.friction(self.floor.surface) if self.floor else 1.0
-        total: Float64 = gravity.sector_acceleration(
-            b,
-            world.sector_thrust,
-            support,
-            sector=world.sector,
-            normal=self.floor.normal if self.floor else (0, 0, 1),
-        )
-        if b.physflags & PhysicsFlag.USES_THRUST:
-            total = total + thrust_acceleration(
-                thrust, friction=grip, crouching=keys.crouch, attached=attached, engine=self.engine
-            )
+    def _acceleration(self, thrust: Float64, keys: Keys, support: Support, dt: float) -> Float64:
+        b, world = self.body, self.world
+        normal = self.floor.normal if self.floor else UP
+        sector = gravity.sector_acceleration(b, world.sector_thrust, support, sector=world.sector, normal=normal)
         fall = gravity.gravity_acceleration(b, support, sector=world.sector, gravity=world.gravity)
-        if attached and self.engine is Engine.OPENJKDF2:
+        if self.floor and self.engine is Engine.OPENJKDF2:
+            grip = drag.friction(self.floor.surface)
             fall = gravity.slope_acceleration(b, grip, moving=bool(self.velocity.any()), gravity=world.gravity)
+        total: Float64 = self._own_acceleration(thrust, keys.crouch, dt) + sector
         return np.add(total, (0.0, 0.0, fall))
 
+    def _own_acceleration(self, thrust: Float64, crouching: bool, dt: float) -> Float64:
+        if not self.body.physflags & PhysicsFlag.USES_THRUST:
+            return np.zeros(3)
+        attached, engine = self.floor is not None, self.engine
+        grip = drag.friction(self.floor.surface) if self.floor else 1.0
+        own = thrust_acceleration(thrust, friction=grip, crouching=crouching, attached=attached, engine=engine)
+        return capped(own, self.body.maxvel, dt) if attached and engine is Engine.OPENJKDF2 else own
+
     def _rested(self, velocity: Float64, acceleration: Float64, pull: float) -> Float64:
-        """What is left of a velocity that is too slow to count: the engine always looks, the document at
-        rest only.
-        """
+        """What is left of a velocity too slow to count: the engine always looks, the document at rest only."""
         if self.engine is Engine.RESEARCH and (acceleration.any() or not pull):
             return velocity
         return drag.rest(velocity, self.engine)
@@ -274,8 +266,7 @@ class Simulation:
 
 
 def simulate(simulation: Simulation, phases: Sequence[Phase], seconds: float, dt: float) -> History:
-    """Run a body through phases, in order of their start, for `seconds` at a fixed `dt`; it starts where it
-    is.
+    """Run a body through phases, in order of their start, for `seconds` at a fixed `dt`; it starts where it is.
 
     A jump key acts in its phase's first tick only, as a key press does. Raises ValueError for a dt that is
     not positive or phases out of order.

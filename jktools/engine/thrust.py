@@ -31,9 +31,7 @@ SWIM_FACTOR = 0.5
 """Part of maxthrust that the jump and crouch keys add along z under water."""
 
 ACTOR_READABLE_THRUST = 0.0
-"""What GetThingThrust tells of an AI actor even while it moves: its steps never pass through the thrust
-vector.
-"""
+"""What GetThingThrust tells of an AI actor even while it moves: its steps never pass through the thrust vector."""
 
 
 class NotStatedError(ValueError):
@@ -69,8 +67,7 @@ def player_thrust(
     extra_speed: float = 0.0,
     engine: Engine = Engine.RESEARCH,
 ) -> Float64:
-    """Give the thrust vector that GetThingThrust reads: `(3,)`, JKU/s^2, in the body's look frame (x right, y
-    forward).
+    """Give the thrust vector that GetThingThrust reads: `(3,)`, JKU/s^2, in the body's look frame (x right, y forward).
 
     `surface` is the flag word of the surface under an attached body, `extra_speed` what SetActorExtraSpeed
     set. Raises NotStatedError for deep water in `research`: the document's factors are illegible.
@@ -137,8 +134,7 @@ def thrust_acceleration(
     attached: bool = True,
     engine: Engine = Engine.RESEARCH,
 ) -> Float64:
-    """Turn a thrust vector into acceleration in the world, JKU/s^2: `(..., 3)` through `(3, 3)` look
-    matrices.
+    """Turn a thrust vector into acceleration in the world, JKU/s^2: `(..., 3)` through `(3, 3)` look matrices.
 
     In `openjkdf2` an attached body's thrust is scaled by the surface's friction (see `drag.friction`), or by
     0.8 while it crouches: ice halts feet although the thrust vector does not show it
@@ -150,6 +146,18 @@ def thrust_acceleration(
     if engine is Engine.RESEARCH or not attached:
         return vector
     return vector * (CROUCHED_FRICTION if crouching else friction)
+
+
+def capped(acceleration: npt.ArrayLike, maxvel: npt.ArrayLike, dt: npt.ArrayLike) -> Float64:
+    """Cap thrust `(..., 3)`, JKU/s^2, so that one tick of `dt` seconds adds at most `maxvel` (JKU/s) to a velocity.
+
+    The decompiled engine does so for attached bodies (sithPhysics_ThingPhysAttached): a body of maxvel 0 does not
+    move by its own thrust there.
+    """
+    a = bounded(acceleration)
+    added, most = length(a) * bounded(dt), bounded(maxvel)
+    part = np.divide(most, added, out=np.ones(np.broadcast_shapes(most.shape, added.shape)), where=added > most)
+    return a * part[..., None]
 
 
 def actor_acceleration(

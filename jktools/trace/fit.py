@@ -96,8 +96,7 @@ class _Frames(NamedTuple):
 
 
 def fit(recording: Recording, *, known_drag: float | None = None) -> Fit:
-    """Fit drag, thrust and integrator to a recording of one regime: one surface, one look, or free fall's
-    plane.
+    """Fit drag, thrust and integrator to a recording of one regime: one surface, one look, or free fall's plane.
 
     `known_drag` (1/s), from the template, ranks schemes by how near their drag comes to it instead of by what
     they leave over. Raises FitError when fewer than four moving frames remain.
@@ -200,9 +199,7 @@ def _jacobian(scheme: Scheme, frames: _Frames, parameters: Float64) -> Float64:
 
 
 def _student(freedom: int) -> float:
-    """Two-sided Student quantile, by its expansion about the normal one: within 1 % from 4 degrees of
-    freedom.
-    """
+    """Two-sided Student quantile, by its expansion about the normal one: within 1 % from 4 degrees of freedom."""
     z = NormalDist().inv_cdf((1 + CONFIDENCE) / 2)
     terms = (
         (z**3 + z) / 4,

@@ -63,9 +63,7 @@ def _numbers(values: Float64) -> str:
 
 
 def to_png(history: History) -> bytes:
-    """Draw thrust (red) and velocity (blue) over time. Needs matplotlib; the bytes depend on its version
-    only.
-    """
+    """Draw thrust (red) and velocity (blue) over time. Needs matplotlib; the bytes depend on its version only."""
     # matplotlib takes half a second to import and is an extra: only who draws pays for it.
     from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
     from matplotlib.figure import Figure  # noqa: PLC0415

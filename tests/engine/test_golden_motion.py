@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from tests.engine import pose_checks  # noqa: F401 (its checks register themselves)
 from tests.engine.motion_checks import CHECKS, Check, Golden
 
 APPEARANCE = {"color", "ir_mode", "dynamic_light", "particles", "sight"}

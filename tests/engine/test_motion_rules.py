@@ -14,8 +14,9 @@ from jktools.engine.flags import PhysicsFlag, SectorFlag, SurfaceFlag
 from jktools.engine.ground import SURFACES
 from jktools.engine.profile import Engine
 from jktools.engine.reattach import Rise
+from jktools.engine.simulation import Phase
 from jktools.engine.thrust import Keys, NotStatedError, Support, player_thrust
-from tests.engine.motion_checks import changed, exactly
+from tests.engine.motion_checks import changed, exactly, run
 
 OPEN = Engine.OPENJKDF2
 
@@ -69,6 +70,18 @@ def test_friction_scales_acceleration_not_thrust() -> None:
     assert thrust.thrust_acceleration([0, 2, 0], friction=ice, **given)[1] == exactly(0.6)
     assert thrust.thrust_acceleration([0, 2, 0], friction=ice, crouching=True, **given)[1] == exactly(1.6)
     assert thrust.thrust_acceleration([0, 2, 0], friction=ice)[1] == exactly(2.0)
+
+
+def test_one_tick_adds_at_most_maxvel() -> None:
+    # 4 JKU/s^2 for 0.5 s would add 2 JKU/s: a maxvel of 1 halves it, in its direction; shorter ticks are free.
+    assert thrust.capped([0.0, 2.4, 3.2], 1.0, 0.5) == exactly([0.0, 1.2, 1.6])
+    assert thrust.capped([0.0, 2.4, 3.2], 1.0, 0.25) == exactly([0.0, 2.4, 3.2])
+    assert not thrust.capped([0.0, 2.0, 0.0], 0.0, 0.02).any()
+    walked = {
+        engine: run([Phase(0, Keys(forward=1))], 1.0, of=changed(maxvel=0.0), engine=engine).position[-1, 1]
+        for engine in Engine
+    }
+    assert walked[Engine.RESEARCH] > 0 and walked[OPEN] == 0
 
 
 def test_actors_walk_level_and_fly_free() -> None:

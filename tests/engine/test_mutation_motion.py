@@ -26,9 +26,11 @@ from jktools.engine import (
     simulation,
     thrust,
 )
+from jktools.engine.flags import WeaponFlag
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
 from tests.engine import motion_checks as checks
+from tests.engine import pose_checks
 from tests.engine.motion_checks import Check, Golden
 from tests.engine.test_golden_motion import holding, motion_keys
 
@@ -178,15 +180,15 @@ MUTATIONS = [
     Mutation(checks.gravity_and_mass, gravity, "apply_force", scale_change),
     Mutation(checks.sector_thrust, gravity, "sector_acceleration", scale_result),
     Mutation(checks.sector_thrust, gravity, "gravity_acceleration", scale_result),
-    Mutation(checks.strifles, orientation, "matrix", scale_angles),
-    Mutation(checks.angular_velocity_axis, orientation, "spin", lambda f, s: lambda m, w, dt: f(m, w, dt * s)),
-    Mutation(checks.default_insert_offset, hover, "hover_height", scale_result),
-    Mutation(checks.crouching, hover, "CROUCHED_CLEARANCE", scale),
-    Mutation(checks.crouching, hover, "LEAST_CLEARANCE", scale),
-    Mutation(checks.landing_transition, hover, "SETTLING_SPEED", scale),
-    Mutation(checks.changeovers, reattach, "reattach_distance", scale_result),
-    Mutation(checks.settling_bump, hover, "SETTLING_SPEED", scale),
-    Mutation(checks.settling_bump, simulation.Simulation, "hover_height", scale_result),
+    Mutation(pose_checks.strifles, orientation, "matrix", scale_angles),
+    Mutation(pose_checks.angular_velocity_axis, orientation, "spin", lambda f, s: lambda m, w, dt: f(m, w, dt * s)),
+    Mutation(pose_checks.default_insert_offset, hover, "hover_height", scale_result),
+    Mutation(pose_checks.crouching, hover, "CROUCHED_CLEARANCE", scale),
+    Mutation(pose_checks.crouching, hover, "LEAST_CLEARANCE", scale),
+    Mutation(pose_checks.landing_transition, hover, "SETTLING_SPEED", scale),
+    Mutation(pose_checks.changeovers, reattach, "reattach_distance", scale_result),
+    Mutation(pose_checks.settling_bump, hover, "SETTLING_SPEED", scale),
+    Mutation(pose_checks.settling_bump, simulation.Simulation, "hover_height", scale_result),
 ]
 
 
@@ -216,16 +218,16 @@ def always(value: Any) -> Any:
 INVERSIONS = [
     (checks.falling_shows_no_thrust, simulation, "player_thrust", always(np.array([0.0, 0.0, -4.0]))),
     (checks.actors_read_no_thrust, thrust, "ACTOR_READABLE_THRUST", 1e-6),
-    (checks.create_thing_nr, orientation, "created", rotating),
-    (checks.physics_flags, checks, "PHYSICS_NAMES", {}),
-    (checks.attach_flags, attachment, "READING_OF", {}),
-    (checks.weapon_flags, attachment, "weapon_sticks", always(True)),
-    (checks.surface_flags, checks, "SurfaceFlag", checks.WeaponFlag),
-    (checks.larger_insert_offset, simulation.Simulation, "hover_height", always(0.120114)),
-    (checks.pits, reattach, "search_distance", always(0.12)),
-    (checks.pits, reattach, "search_distance", always(9.0)),
-    (checks.stationary_bodies_notice_nothing, attachment, "looks_for_floor", always(True)),
-    (checks.strifles, orientation, "created", ignoring_the_ghost),
+    (pose_checks.create_thing_nr, orientation, "created", rotating),
+    (pose_checks.physics_flags, pose_checks, "PHYSICS_NAMES", {}),
+    (pose_checks.attach_flags, attachment, "READING_OF", {}),
+    (pose_checks.weapon_flags, attachment, "weapon_sticks", always(True)),
+    (checks.surface_flags, checks, "SurfaceFlag", WeaponFlag),
+    (pose_checks.larger_insert_offset, simulation.Simulation, "hover_height", always(0.120114)),
+    (pose_checks.pits, reattach, "search_distance", always(0.12)),
+    (pose_checks.pits, reattach, "search_distance", always(9.0)),
+    (pose_checks.stationary_bodies_notice_nothing, attachment, "looks_for_floor", always(True)),
+    (pose_checks.strifles, orientation, "created", ignoring_the_ghost),
     (checks.gravity_and_mass, gravity, "gravity_acceleration", lambda of, *args, **kwargs: -4.0 * of.mass),
 ]
 

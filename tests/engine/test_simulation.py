@@ -71,9 +71,7 @@ def test_fall_damage_on_landing(engine: Engine) -> None:
 
 
 def test_speeds_by_surface() -> None:
-    """Steady speeds worked by hand: thrust x friction over drag x friction is the same on ice, only slower
-    to reach.
-    """
+    """Steady speeds worked by hand: thrust x friction over drag x friction is the same on ice, only slower to reach."""
     steady = {"floor": 2 / 3, "icy": 2 / 3, "very-icy": 2 / 3, "non-floor": 1.2, "deep-water": 1 / 3}
     for name, speed in steady.items():
         walked = run([Phase(0, WALK)], 30.0, surface=SURFACES[name], engine=OPEN)
