@@ -60,8 +60,10 @@ def gravity_acceleration(
 
 
 def slope_acceleration(body: Body, friction: float, *, moving: bool, gravity: float = WORLD_GRAVITY) -> float:
-    """Give the acceleration along z, JKU/s^2, that pulls an attached player down a slope, before the floor's
-    normal takes its share: gravity * clamp(1 - friction, 0.2, 0.8), for players that move or stand on ice.
+    """Give the acceleration along z, JKU/s^2, that pulls an attached player down a slope.
+
+    gravity * clamp(1 - friction, 0.2, 0.8), for players that move or stand on ice; the floor's normal takes its
+    share of it afterwards.
     """
     if not (body.player and body.physflags & PhysicsFlag.GRAVITY and (moving or friction < SLOPE_GRAVITY[1])):
         return 0.0

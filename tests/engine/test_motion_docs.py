@@ -1,0 +1,65 @@
+"""docs/engine.md: what it names exists, what holds a golden value is named, and its plots are made by the code."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from jktools.engine import drag, hover, reattach
+from jktools.engine.integration import TRAITS, Scheme
+from jktools.engine.profile import Engine
+from tests.engine.test_golden_motion import CHECKS
+from tests.support.levels import ROOT
+
+PAGE = (ROOT / "docs/engine.md").read_text(encoding="utf-8")
+
+
+def test_tests_that_it_names_exist() -> None:
+    named = re.findall(r"`(tests/[\w/]+\.py)(?:::(\w+))?`", PAGE)
+    assert len(named) > 40
+    for file, test in named:
+        assert f"def {test}(" in (ROOT / file).read_text() if test else (ROOT / file).exists(), (file, test)
+
+
+def test_names_every_check() -> None:
+    assert [check.__name__ for check in CHECKS.values() if f"`{check.__name__}`" not in PAGE] == []
+
+
+def test_code_that_it_names_exists() -> None:
+    for name in re.findall(r"`(jktools/[\w/]+(?:\.py)?)`", PAGE):
+        assert (ROOT / name).exists(), name
+
+
+def test_states_the_figures_of_the_code() -> None:
+    for scheme, stated in {Scheme.RK4: "2.785294"}.items():
+        assert f"{TRAITS[scheme].stability_limit:.6f}" == stated and stated in PAGE
+    times = (drag.decay_frames([3.0, 1.5, 6.0, 0.375], 0.021) - 2) * 0.021
+    assert "{:.3f}, {:.3f}, {:.3f} and {:.3f} s against".format(*times) in " ".join(PAGE.split())
+    assert f"takes {float(hover.landing_seconds(0.3, 0.065)):.2f} s" in " ".join(PAGE.split())
+    limits = [float(reattach.reattach_distance(0.01, 0.065, engine=engine)) for engine in Engine]
+    assert "| 0.01, 0.06 | {:.3f} | {:.3f} |".format(*limits) in PAGE
+
+
+def test_plots_are_there_and_made_by_the_code(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    from tools import engine_plots  # noqa: PLC0415 (it imports matplotlib, which a bare set-up lacks)
+
+    names = {f"{plot.__name__}.svg" for plot in engine_plots.PLOTS}
+    assert set(re.findall(r"\(engine/(\w+\.svg)\)", PAGE)) == names
+    assert {path.name for path in (ROOT / "docs/engine").iterdir()} == names
+    # The bytes depend on matplotlib's version: here only that a drawing is reproducible, and its longest line the kept one.
+    for plot in (engine_plots.changeover, engine_plots.bump):
+        (tmp_path / "again").mkdir(exist_ok=True)
+        drawn, again = engine_plots.draw(plot, tmp_path), engine_plots.draw(plot, tmp_path / "again")
+        assert drawn.read_bytes() == again.read_bytes()
+        kept = ROOT / "docs/engine" / drawn.name
+        assert curve(drawn) == pytest.approx(curve(kept), abs=1e-3)
+
+
+def curve(path: Path) -> np.ndarray:
+    """The points of a drawing's longest line."""
+    lines = re.findall(r'id="line2d_\d+">\s*<path d="([^"]+)"', path.read_text(encoding="utf-8"))
+    return np.array([float(number) for number in re.findall(r"-?\d+\.?\d*", max(lines, key=len))])
