@@ -50,7 +50,7 @@ def test_plots_are_there_and_made_by_the_code(tmp_path: Path) -> None:
     names = {f"{plot.__name__}.svg" for plot in engine_plots.PLOTS}
     assert set(re.findall(r"\(engine/(\w+\.svg)\)", PAGE)) == names
     assert {path.name for path in (ROOT / "docs/engine").iterdir()} == names
-    # The bytes depend on matplotlib's version: here only that a drawing is reproducible, and its longest line the kept one.
+    # Bytes depend on matplotlib's version: here only that a drawing is reproducible, and its longest line the kept one.
     for plot in (engine_plots.changeover, engine_plots.bump):
         (tmp_path / "again").mkdir(exist_ok=True)
         drawn, again = engine_plots.draw(plot, tmp_path), engine_plots.draw(plot, tmp_path / "again")

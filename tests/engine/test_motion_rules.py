@@ -7,11 +7,12 @@ import math
 import numpy as np
 import pytest
 
-from jktools.engine import attachment, drag, gravity, hover, jump, reattach, thrust
+from jktools.engine import attachment, drag, gravity, hover, integration, jump, reattach, thrust
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
 from jktools.engine.flags import PhysicsFlag, SectorFlag, SurfaceFlag
 from jktools.engine.ground import SURFACES
+from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
 from jktools.engine.reattach import Rise
 from jktools.engine.simulation import Phase
@@ -88,6 +89,15 @@ def test_actors_walk_level_and_fly_free() -> None:
     assert thrust.actor_acceleration(Body(maxthrust=0.8), (0, 0, 1)) == exactly([0, 0, 0])
     climb = thrust.actor_acceleration(Body(maxthrust=0.8), (0, 3, 4), three_dimensional=True, move_speed=0.5)
     assert climb == exactly([0, 0.24, 0.32])
+
+
+def test_actors_walk_at_the_players_speeds() -> None:
+    """ "A very similar result to the player's movement": the same maxthrust gives the same steady speed."""
+    x, v = np.zeros(3), np.zeros(3)
+    push = thrust.actor_acceleration(WALKPLAYER, (0, -1, 0))
+    for _ in range(500):
+        x, v = integration.step(Scheme.ENGINE, x, v, push, WALKPLAYER.surfdrag, 0.02)
+    assert v == pytest.approx([0, -2 / 3, 0])
 
 
 @pytest.mark.parametrize(
