@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from jktools.engine.ground import SURFACES, UP, Steps, Tread
@@ -28,6 +28,7 @@ def clearance(ground: Steps, y: float, z: float) -> float:
     return min(gaps)
 
 
+@settings(deadline=None)
 @given(st.floats(-0.5, 1.5), st.floats(-0.13, 0.4), st.floats(-0.6, 0.6), st.floats(-0.6, 0.6))
 def test_sweep_stops_where_a_fine_march_does(y: float, z: float, dy: float, dz: float) -> None:
     size = math.hypot(dy, dz)

@@ -11,10 +11,10 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from jktools.engine import drag, gravity, hover, integration, jump, orientation, reattach, simulation, thrust
+from jktools.engine import bounds, drag, gravity, hover, integration, jump, orientation, reattach, simulation, thrust
 from jktools.engine.body import WALKPLAYER, Body
 from jktools.engine.ground import Steps
 from jktools.engine.integration import TRAITS, Scheme
@@ -44,6 +44,20 @@ def vectors(numbers: st.SearchStrategy[float]) -> st.SearchStrategy[Triple]:
     return st.tuples(numbers, numbers, numbers)
 
 
+def test_inputs_are_kept_in_bounds() -> None:
+    given = [math.inf, -math.inf, 1e31, -1e31, 1e30, 1e-30, 1e-31, -1e-31, 5e-324, 0.0, 3.0]
+    kept = [1e30, -1e30, 1e30, -1e30, 1e30, 1e-30, 0.0, 0.0, 0.0, 0.0, 3.0]
+    assert bounds.bounded(given).tolist() == kept
+    assert [float(bounds.bounded(one)) for one in given] == kept
+    assert np.isnan(bounds.bounded([math.nan])).all() and math.isnan(bounds.bounded(math.nan))
+
+
+def test_length_of_extreme_vectors() -> None:
+    assert bounds.length([[3e29, 4e29, 0.0], [3e-29, 0.0, 4e-29]]) == pytest.approx([5e29, 5e-29])
+    assert bounds.length([0.0, 0.0, 0.0]) == 0.0
+
+
+@settings(deadline=None)
 @given(SCHEMES, WILD, WILD, WILD, DRAGS, STEPS)
 def test_step_gives_nan_only_for_nan(scheme: Scheme, x: float, v: float, a: float, k: float, dt: float) -> None:
     motion = integration.step(scheme, x, v, a, k, dt)
@@ -51,6 +65,7 @@ def test_step_gives_nan_only_for_nan(scheme: Scheme, x: float, v: float, a: floa
     assert math.isnan(motion.position) == (math.isnan(x) or math.isnan(v) or math.isnan(a))
 
 
+@settings(deadline=None)
 @given(SCHEMES, SPEEDS, DRAGS, STEPS)
 def test_drag_alone_never_reverses_within_the_limit(scheme: Scheme, v: float, k: float, dt: float) -> None:
     if min(k, 1e30) * dt <= TRAITS[scheme].reversal_limit:
@@ -58,6 +73,7 @@ def test_drag_alone_never_reverses_within_the_limit(scheme: Scheme, v: float, k:
         assert after * np.sign(v) >= 0
 
 
+@settings(deadline=None)
 @given(SCHEMES, SPEEDS, DRAGS, STEPS)
 def test_drag_alone_never_speeds_up_within_the_limit(scheme: Scheme, v: float, k: float, dt: float) -> None:
     if integration.is_stable(scheme, k, dt):
@@ -67,6 +83,7 @@ def test_drag_alone_never_speeds_up_within_the_limit(scheme: Scheme, v: float, k
         assert "blows up" in str(integration.instability(scheme, k, dt))
 
 
+@settings(deadline=None)
 @given(DRAGS, st.floats(-1e6, 1e6), st.floats(0, 1e6))
 def test_thrust_and_drag_stay_between_start_and_steady_speed(k: float, v: float, a: float) -> None:
     steady = float(integration.steady_speed(a, k))
@@ -75,6 +92,7 @@ def test_thrust_and_drag_stay_between_start_and_steady_speed(k: float, v: float,
     assert min(v, steady) - slack <= after <= max(v, steady) + slack
 
 
+@settings(deadline=None)
 @given(vectors(WILD), DRAGS, WILD, STEPS, ENGINES)
 def test_apply_drag(v: Triple, k: float, static: float, dt: float, engine: Engine) -> None:
     after = drag.apply_drag(v, k, static, dt, engine)
@@ -86,6 +104,7 @@ def test_apply_drag(v: Triple, k: float, static: float, dt: float, engine: Engin
         assert (np.abs(after[kept]) <= np.abs(np.array(v)[kept])).all()
 
 
+@settings(deadline=None)
 @given(DRAGS, STEPS, ENGINES)
 def test_decay_frames(k: float, dt: float, engine: Engine) -> None:
     frames = float(drag.decay_frames(k, dt, engine=engine))
@@ -94,6 +113,7 @@ def test_decay_frames(k: float, dt: float, engine: Engine) -> None:
     assert math.isnan(frames) or frames >= 1
 
 
+@settings(deadline=None)
 @given(MASSES, vectors(ANY))
 def test_push(mass: float, force: Triple) -> None:
     push = gravity.apply_force(Body(mass=mass), force)
@@ -101,6 +121,7 @@ def test_push(mass: float, force: Triple) -> None:
     assert (push.velocity_change * np.sign(force) >= 0).all()
 
 
+@settings(deadline=None)
 @given(MASSES, vectors(ANY), ENGINES, st.sampled_from(list(Support)))
 def test_sector_thrust(mass: float, force: Triple, engine: Engine, support: Support) -> None:
     body = dataclasses.replace(WALKPLAYER, mass=mass)
@@ -108,6 +129,7 @@ def test_sector_thrust(mass: float, force: Triple, engine: Engine, support: Supp
     assert gravity.sector_thrust_detaches(body, force, engine=engine) in (True, False)
 
 
+@settings(deadline=None)
 @given(vectors(ANY), st.floats(0, 1e30))
 def test_actor_acceleration(direction: Triple, maxthrust: float) -> None:
     push = thrust.actor_acceleration(Body(maxthrust=maxthrust), direction, three_dimensional=True)
@@ -115,6 +137,7 @@ def test_actor_acceleration(direction: Triple, maxthrust: float) -> None:
     assert float(np.abs(push).max()) <= maxthrust * (1 + 1e-12)
 
 
+@settings(deadline=None)
 @given(st.floats(0, 1e9), st.sampled_from([0.0, 1e-12, 1e-6, 0.5, 999.0, 1e9]), st.floats(1e-6, 1e6))
 def test_apex(speed: float, k: float, g: float) -> None:
     top = jump.apex(speed, k, g)
@@ -122,6 +145,7 @@ def test_apex(speed: float, k: float, g: float) -> None:
     assert 0 <= top.seconds <= speed / g * (1 + 1e-12)
 
 
+@settings(deadline=None)
 @given(ANY, ANY, st.just(0.0) | st.floats(1e-9, 1e9))
 def test_fall_damage_and_hover(speed: float, insert: float, radius: float) -> None:
     assert float(jump.fall_damage(speed)) >= 0
@@ -133,6 +157,7 @@ def test_fall_damage_and_hover(speed: float, insert: float, radius: float) -> No
         assert abs(left) <= abs(insert) and left * np.sign(insert) >= 0
 
 
+@settings(deadline=None)
 @given(vectors(st.floats(-1e9, 1e9)))
 def test_angles_round_trip(angles: Triple) -> None:
     look = orientation.matrix(angles)
@@ -140,12 +165,14 @@ def test_angles_round_trip(angles: Triple) -> None:
     assert orientation.matrix(orientation.angles(look)) == pytest.approx(look, abs=1e-7)
 
 
+@settings(deadline=None)
 @given(vectors(WILD))
 def test_angles_give_nan_only_for_nan(angles: Triple) -> None:
     look = orientation.matrix(angles)
     assert bool(np.isnan(look).any()) == any(map(math.isnan, angles))
 
 
+@settings(deadline=None)
 @given(
     DRAGS,
     st.sampled_from([1e-9, 1e-4, 0.02, 1.0]),

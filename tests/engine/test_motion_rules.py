@@ -110,6 +110,11 @@ def test_drag_on_surfaces(surface: str, expected: tuple[float, float]) -> None:
     assert drag.coefficients(WALKPLAYER, Support.SURFACE, flags) == exactly((3.0, expected[1]))
 
 
+def test_friction_is_raised_for_moving_but_not_for_turning() -> None:
+    assert [drag.friction(SURFACES[name]) for name in ("floor", "icy", "very-icy")] == [1.0, 0.3, 0.25]
+    assert [drag.friction(SURFACES[name], turning=True) for name in ("floor", "icy", "very-icy")] == [1.0, 0.3, 0.1]
+
+
 def test_what_switches_static_drag_off() -> None:
     for engine in Engine:
         for reason in ({"thrusting": True}, {"sector_thrust": True}):
