@@ -14,12 +14,16 @@ from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
 from jktools.engine.simulation import History, Simulation, simulate
 from jktools.engine.thrust import NotStatedError
+from jktools.trace import recording, script
 from jktools.trace.fit import Fit, FitError, Interval, fit
-from jktools.trace.recording import RecordingError, read
-from jktools.trace.script import ScriptError, parse
 from jktools.trace.write import to_csv, write
 
 PARAMETERS = {field.name for field in dataclasses.fields(Body)}
+
+
+def _verbatim(text: str | None) -> str:
+    """A module's page as help: click would otherwise flow its lines together."""
+    return "\n\n".join(f"\b\n{paragraph}" for paragraph in (text or "").strip().split("\n\n"))
 
 
 @click.group("trace")
@@ -27,8 +31,8 @@ def command() -> None:
     """Simulate a body under a script of keys, or fit drag and thrust to a recording."""
 
 
-@command.command("run")
-@click.argument("script", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@command.command("run", epilog=_verbatim(script.__doc__))
+@click.argument("path", metavar="SCRIPT", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @click.option(
     "-o",
     "--output",
@@ -46,20 +50,20 @@ def command() -> None:
 )
 @click.option("--set", "settings", metavar="NAME=VALUE", multiple=True, help="Change one of walkplayer's parameters.")
 def run_command(
-    script: Path, output: Path | None, engine: str, scheme: str | None, fps: float, settings: tuple[str, ...]
+    path: Path, output: Path | None, engine: str, scheme: str | None, fps: float, settings: tuple[str, ...]
 ) -> None:
-    """Simulate walkplayer under SCRIPT (its language: jktools/trace/script.py)."""
+    """Simulate walkplayer under SCRIPT."""
     if output is not None and output.suffix.lower() not in (".csv", ".m", ".png"):
         raise click.BadParameter(f"{output.name} names no format: .csv, .m or .png", param_hint="--output")
     try:
-        read_script = parse(script.read_text(encoding="utf-8"))
+        read_script = script.parse(path.read_text(encoding="utf-8"))
         body = Simulation(
             _body(settings), read_script.ground, engine=Engine(engine), scheme=Scheme(scheme) if scheme else None
         )
         body.rest_on_ground()
         history = simulate(body, read_script.phases, read_script.seconds, 1 / fps)
-    except (ScriptError, NotStatedError) as error:
-        raise click.ClickException(f"{script}: {error}") from None
+    except (script.ScriptError, NotStatedError) as error:
+        raise click.ClickException(f"{path}: {error}") from None
     if output is None:
         click.echo(to_csv(history), nl=False)
     else:
@@ -90,16 +94,16 @@ def _tell(history: History) -> None:
         click.echo(f"{incident.time:.3f} s: {verb}{harm}", err=True)
 
 
-@command.command("fit")
+@command.command("fit", epilog=_verbatim(recording.__doc__))
 @click.argument("log", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @click.option("--from", "start", type=float, default=float("-inf"), help="Seconds; earlier rows are left out.")
 @click.option("--to", "end", type=float, default=float("inf"), help="Seconds; later rows are left out.")
 @click.option("--drag", "known_drag", type=float, help="The drag that the template states: tells integrators apart.")
 def fit_command(log: Path, start: float, end: float, known_drag: float | None) -> None:
-    """Fit drag, thrust and integrator to LOG (its layouts: jktools/trace/recording.py)."""
+    """Fit drag, thrust and integrator to LOG."""
     try:
-        found = fit(read(log).between(start, end), known_drag=known_drag)
-    except (RecordingError, FitError, UnicodeDecodeError) as error:
+        found = fit(recording.read(log).between(start, end), known_drag=known_drag)
+    except (recording.RecordingError, FitError, UnicodeDecodeError) as error:
         raise click.ClickException(f"{log}: {error}") from None
     click.echo("\n".join(describe(found)))
 

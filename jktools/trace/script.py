@@ -9,7 +9,8 @@
     5    release             all keys but crouch
     6    end                 where the trace ends; # starts a comment
 
-Without a floor line the ground is one level floor. Surfaces by name: `jktools.engine.ground.SURFACES`.
+Without a floor line the ground is one level floor. Surfaces: floor, non-floor, icy, very-icy, shallow-water,
+deep-water, very-deep-water.
 """
 
 from __future__ import annotations

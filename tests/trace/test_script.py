@@ -7,11 +7,12 @@ import pytest
 from jktools.engine.ground import SURFACES, Steps, Tread
 from jktools.engine.simulation import Phase
 from jktools.engine.thrust import Keys
+from jktools.trace import script
 from jktools.trace.script import ScriptError, parse
 
 
 def test_every_line() -> None:
-    script = parse(
+    read = parse(
         """
         floor -1 0             # a kerb
         floor 2 0.05 icy
@@ -26,11 +27,11 @@ def test_every_line() -> None:
         6.25 end
         """
     )
-    assert script.ground == Steps((Tread(-1, 0), Tread(2, 0.05, SURFACES["icy"])))
-    assert script.seconds == 6.25
+    assert read.ground == Steps((Tread(-1, 0), Tread(2, 0.05, SURFACES["icy"])))
+    assert read.seconds == 6.25
     away = Keys(-1, -1, run=True)
     sliding = Steps((Tread(-1, 0, SURFACES["non-floor"]), Tread(2, 0.05, SURFACES["non-floor"])))
-    assert script.phases == (
+    assert read.phases == (
         Phase(0, Keys(1)),
         Phase(1, away),
         Phase(1.5, Keys(-1, -1, run=True, crouch=True)),
@@ -42,10 +43,15 @@ def test_every_line() -> None:
     )
 
 
+def test_the_page_names_every_surface() -> None:
+    listed = " ".join((script.__doc__ or "").split()).split("Surfaces: ")[1].rstrip(".").split(", ")
+    assert listed == list(SURFACES)
+
+
 def test_flat_ground_without_floor_lines() -> None:
-    script = parse("0 surface icy\n1 surface floor\n2 end")
-    assert script.ground == Steps.flat()
-    assert [phase.ground for phase in script.phases] == [Steps.flat(SURFACES["icy"]), Steps.flat()]
+    read = parse("0 surface icy\n1 surface floor\n2 end")
+    assert read.ground == Steps.flat()
+    assert [phase.ground for phase in read.phases] == [Steps.flat(SURFACES["icy"]), Steps.flat()]
 
 
 @pytest.mark.parametrize(
