@@ -168,7 +168,7 @@ class Simulation:
         normal = np.array(self.floor.normal)
         self.velocity = self.velocity - normal * (normal @ self.velocity)
         way = np.where(self.velocity.any(), way - normal * (normal @ way), np.zeros(3))
-        return way + normal * self._settling(keys.crouch, dt)
+        return way + self._settling(keys.crouch, dt)
 
     def _acceleration(self, thrust: Float64, keys: Keys, support: Support, dt: float) -> Float64:
         b, world = self.body, self.world
@@ -195,13 +195,15 @@ class Simulation:
             return velocity
         return drag.rest(velocity, self.engine)
 
-    def _settling(self, crouching: bool, dt: float) -> float:
-        """This tick's way along the floor's normal towards the hover height."""
+    def _settling(self, crouching: bool, dt: float) -> Float64:
+        """This tick's way towards the hover height: along z for bodies kept upright, else along the normal."""
         assert self.floor is not None
-        height = float((self.position - np.array(self.floor.point)) @ np.array(self.floor.normal))
+        normal = np.array(self.floor.normal)
+        along = np.array(UP) if self.body.physflags & PhysicsFlag.KEEP_UPRIGHT else normal
+        height = float((self.position - np.array(self.floor.point)) @ normal) / float(along @ normal)
         error = height - self.hover_height(crouching=crouching)
         # A rounding error is no movement: a body at rest must not look for its floor because of one.
-        return 0.0 if abs(error) < TOUCH else float(hover.settle(error, dt)) - error
+        return along * (0.0 if abs(error) < TOUCH else float(hover.settle(error, dt)) - error)
 
     def _move(self, way: Float64) -> list[Contact]:
         """Move the sphere, sliding along what it touches; velocity loses what runs into it."""

@@ -11,7 +11,7 @@ from jktools.engine import drag, jump, reattach
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER
 from jktools.engine.flags import SectorFlag
-from jktools.engine.ground import SURFACES, Steps, Tread
+from jktools.engine.ground import SURFACES, Contact, Floor, Steps, Tread, Vector
 from jktools.engine.integration import Scheme, closed_form
 from jktools.engine.profile import Engine
 from jktools.engine.simulation import History, Phase, Simulation, World, simulate
@@ -158,6 +158,58 @@ def test_steps_up(rise: float, climbs: bool, engine: Engine) -> None:
     assert bool(walked.position[-1, 1] > 1.0) is climbs
     assert walked.attached.all()
     assert walked.position[-1, 2] == exactly(0.120114 + (rise if climbs else 0.0))
+
+
+class Slope:
+    """A plane through the origin that rises along y."""
+
+    def __init__(self, degrees: float, surface: int) -> None:
+        angle = math.radians(degrees)
+        self.normal, self.surface = (0.0, -math.sin(angle), math.cos(angle)), surface
+
+    def floor_below(self, position: Vector, reach: float, radius: float, required: int) -> Floor | None:
+        x, y, z = position
+        height = -y * self.normal[1] / self.normal[2]
+        down = z - height - radius / self.normal[2]
+        wanted = self.surface & required == required and down <= reach
+        return Floor((x, y, height), self.surface, self.normal) if wanted else None
+
+    def sweep(self, position: Vector, motion: Vector, radius: float) -> Contact | None:
+        above, into = float(np.dot(position, self.normal)) - radius, -float(np.dot(motion, self.normal))
+        if into <= 0 or above > into or above < -1e-9:
+            return None
+        distance = max(0.0, above) / into * math.hypot(*motion)
+        return Contact(distance, self.normal, Floor((0.0, 0.0, 0.0), self.surface, self.normal))
+
+
+def on_slope(degrees: float, surface: str, keys: Keys, engine: Engine, **parameters: float) -> History:
+    body = Simulation(changed(**parameters), Slope(degrees, SURFACES[surface]), engine=engine)
+    body.rest_on_ground()
+    return simulate(body, [Phase(0, keys)], 20.0, 0.02)
+
+
+def test_ice_slides_down_slopes_in_the_engine() -> None:
+    """Gravity's part 1 - friction along the slope, against surfdrag times friction: by hand."""
+    for degrees in (10.0, 30.0):
+        slid = on_slope(degrees, "icy", Keys(strafe=1), OPEN)
+        assert slid.attached.all()
+        downhill = 4.0 * 0.7 * math.sin(math.radians(degrees)) / (3.0 * 0.3)
+        assert np.hypot(*slid.velocity[-1, 1:]) == pytest.approx(downhill, rel=1e-4)
+        assert slid.velocity[-1, 2] < 0
+    assert not on_slope(30.0, "icy", Keys(), Engine.RESEARCH).velocity.any()
+
+
+def test_standing_on_a_slope() -> None:
+    for engine in Engine:
+        stood = on_slope(30.0, "floor", Keys(), engine)
+        assert (stood.position == stood.position[0]).all()
+
+
+def test_upright_bodies_measure_height_along_z() -> None:
+    for flags, along in ((0x4A4F, 0.5), (0x4A4F & ~0x800, 1.0)):
+        walked = on_slope(60.0, "floor", Keys(strafe=1), Engine.RESEARCH, physflags=flags)
+        from_plane = walked.position[-1] @ np.array(Slope(60.0, 0).normal)
+        assert from_plane == pytest.approx(0.120114 * along, abs=1e-9)
 
 
 def test_schemes_converge_to_one_walk() -> None:
