@@ -8,9 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from jktools.cli import main
 from jktools.engine import drag, hover, reattach
 from jktools.engine.integration import TRAITS, Scheme
 from jktools.engine.profile import Engine
+from tests.engine.motion_checks import Check
 from tests.engine.test_golden_motion import CHECKS
 from tests.support.levels import ROOT
 
@@ -63,3 +65,19 @@ def curve(path: Path) -> np.ndarray:
     """The points of a drawing's longest line."""
     lines = re.findall(r'id="line2d_\d+">\s*<path d="([^"]+)"', path.read_text(encoding="utf-8"))
     return np.array([float(number) for number in re.findall(r"-?\d+\.?\d*", max(lines, key=len))])
+
+
+def test_lists_what_holds_each_golden_value() -> None:
+    rows: dict[Check, list[str]] = {}
+    for pattern, check in CHECKS.items():
+        rows.setdefault(check, []).append(f"`{pattern}`")
+    module = {check: check.__module__.rsplit(".", 1)[1] for check in rows}
+    table = [f"| {', '.join(keys)} | `{module[check]}.{check.__name__}` |" for check, keys in rows.items()]
+    assert "\n".join(("| keys | check |", "|---|---|", *table, "")) in PAGE
+
+
+def test_example_script_does_what_it_says(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    script, said = re.findall(r"```\n(.*?)```", PAGE, re.DOTALL)
+    (tmp_path / "script.txt").write_text(script)
+    assert main(["trace", "run", str(tmp_path / "script.txt"), "-o", str(tmp_path / "out.csv")]) == 0
+    assert capsys.readouterr().err == said
