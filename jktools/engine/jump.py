@@ -60,13 +60,15 @@ def flight_seconds(
 ) -> Float64:
     """Find when a jump comes down to `drop` JKU below its start (negative: above); NaN where it never gets so high.
 
-    To the last bit that bisection of the closed form resolves.
+    Found by bisection of the closed form, to its last bit.
     """
     v, d, k, g = np.broadcast_arrays(bounded(speed), bounded(drop), bounded(airdrag), bounded(gravity))
     top = apex(v, k, g)
     low, high = top.seconds, _after_landing(v, d, k, g)
     for _ in range(_BISECTIONS):
         middle = low + (high - low) / 2
+        if ((middle == low) | (middle == high)).all():
+            break
         above = closed_form(0.0, v, -g, k, middle).position > -d
         low, high = np.where(above, middle, low), np.where(above, high, middle)
     return np.where(top.height < -d, np.nan, high)

@@ -146,6 +146,19 @@ def test_apex(speed: float, k: float, g: float) -> None:
 
 
 @settings(deadline=None)
+@given(st.floats(0, 1e6), st.floats(-1e6, 1e6), st.sampled_from([0.0, 1e-12, 0.5, 999.0, 1e9]), st.floats(1e-3, 1e6))
+def test_flight(speed: float, drop: float, k: float, g: float) -> None:
+    seconds = float(jump.flight_seconds(speed, drop, k, g))
+    top = jump.apex(speed, k, g)
+    assert math.isnan(seconds) == bool(top.height < -drop)
+    if not math.isnan(seconds):
+        assert seconds >= top.seconds
+        # What one rounding of the time moves the body by, and of the distances that cancel.
+        slack = 1e-12 * (1e-9 + abs(drop) + top.height + (speed + g * seconds) * seconds)
+        assert abs(float(integration.closed_form(0.0, speed, -g, k, seconds).position) + drop) <= slack
+
+
+@settings(deadline=None)
 @given(ANY, ANY, st.just(0.0) | st.floats(1e-9, 1e9))
 def test_fall_damage_and_hover(speed: float, insert: float, radius: float) -> None:
     assert float(jump.fall_damage(speed)) >= 0
