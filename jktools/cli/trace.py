@@ -12,10 +12,10 @@ from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
-from jktools.engine.simulation import History, Simulation, simulate
+from jktools.engine.simulation import History
 from jktools.engine.thrust import NotStatedError
-from jktools.trace import recording, script
-from jktools.trace.fit import Fit, FitError, Interval, fit
+from jktools.trace import fit, recording, script, trace
+from jktools.trace.fitting import Fit, FitError, Interval
 from jktools.trace.write import to_csv, write
 
 PARAMETERS = {field.name for field in dataclasses.fields(Body)}
@@ -56,13 +56,14 @@ def run_command(
     if output is not None and output.suffix.lower() not in (".csv", ".m", ".png"):
         raise click.BadParameter(f"{output.name} names no format: .csv, .m or .png", param_hint="--output")
     try:
-        read_script = script.parse(path.read_text(encoding="utf-8"))
-        body = Simulation(
-            _body(settings), read_script.ground, engine=Engine(engine), scheme=Scheme(scheme) if scheme else None
+        history = trace(
+            path.read_text(encoding="utf-8"),
+            body=_body(settings),
+            engine=Engine(engine),
+            scheme=Scheme(scheme) if scheme else None,
+            fps=fps,
         )
-        body.rest_on_ground()
-        history = simulate(body, read_script.phases, read_script.seconds, 1 / fps)
-    except (script.ScriptError, NotStatedError) as error:
+    except (script.ScriptError, NotStatedError, UnicodeDecodeError) as error:
         raise click.ClickException(f"{path}: {error}") from None
     if output is None:
         click.echo(to_csv(history), nl=False)

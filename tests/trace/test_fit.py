@@ -13,7 +13,7 @@ from jktools.engine.profile import Engine
 from jktools.engine.simulation import Phase
 from jktools.engine.thrust import Keys
 from jktools.trace import recording
-from jktools.trace.fit import FitError, fit
+from jktools.trace.fitting import FitError, fit
 from jktools.trace.recording import Recording
 from jktools.trace.write import recorded
 from tests.engine.motion_checks import changed, run
