@@ -13,7 +13,6 @@ from jktools.engine.body import WALKPLAYER, Body
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
 from jktools.engine.simulation import History
-from jktools.engine.thrust import NotStatedError
 from jktools.trace import fit, recording, script, trace
 from jktools.trace.fitting import Fit, FitError, Interval
 from jktools.trace.write import to_csv, write
@@ -63,7 +62,7 @@ def run_command(
             scheme=Scheme(scheme) if scheme else None,
             fps=fps,
         )
-    except (script.ScriptError, NotStatedError, UnicodeDecodeError) as error:
+    except ValueError as error:
         raise click.ClickException(f"{path}: {error}") from None
     if output is None:
         click.echo(to_csv(history), nl=False)

@@ -2,7 +2,8 @@
 
 The order of a tick is the decompiled engine's: keys, then forces and drag, then the move with its collisions,
 then the search for a floor. The rules are those of the chosen profile. A player's air movement is stepped
-like any other body's; the fixed 1/50 s substeps of the original's multiplayer code are not modelled.
+like any other body's; neither the fixed 1/50 s substeps of the original's multiplayer code nor walking on walls is
+modelled.
 """
 
 from __future__ import annotations
@@ -18,13 +19,16 @@ from jktools.engine.attachment import Event
 from jktools.engine.body import Body
 from jktools.engine.bounds import Float64
 from jktools.engine.flags import PhysicsFlag, SectorFlag, SurfaceFlag
-from jktools.engine.ground import SURFACES, TOUCH, UP, Contact, Floor, Ground, Steps, Vector
+from jktools.engine.ground import TOUCH, UP, Contact, Floor, Ground, Steps, Vector
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
 from jktools.engine.thrust import Keys, Support, capped, player_thrust, thrust_acceleration
 
 SCHEME_OF = {Engine.RESEARCH: Scheme.SEMI_IMPLICIT_EULER, Engine.OPENJKDF2: Scheme.ENGINE}
 """The document assumes Euler, velocity first; the decompiled engine is that with its drag clamped."""
+
+MOST_TICKS = 10_000_000
+"""Ticks that one history may hold: half an hour of computing and 1 GB."""
 
 _SLIDES = 5
 """Contacts that one move slides along before it gives up."""
@@ -257,10 +261,9 @@ class Simulation:
                 engine=self.engine,
             )
         )
-        required = SURFACES["floor"]
-        found = self.ground.floor_below(self._place(), far, 0.0, required)
+        found = self.ground.floor_below(self._place(), far, 0.0, SurfaceFlag.FLOOR)
         if found is None and self.engine is Engine.OPENJKDF2:
-            found = self.ground.floor_below(self._place(), far, b.movesize, required)
+            found = self.ground.floor_below(self._place(), far, b.movesize, SurfaceFlag.FLOOR)
         return found if found and self._takes(found) else None
 
     def _place(self) -> Vector:
@@ -271,10 +274,12 @@ def simulate(simulation: Simulation, phases: Sequence[Phase], seconds: float, dt
     """Run a body through phases, in order of their start, for `seconds` at a fixed `dt`; it starts where it is.
 
     A jump key acts in its phase's first tick only, as a key press does. Raises ValueError for a dt that is
-    not positive or phases out of order.
+    not positive, phases out of order, or more than `MOST_TICKS` ticks.
     """
     if not dt > 0 or [p.start for p in phases] != sorted(p.start for p in phases):
         raise ValueError("dt must be positive and the phases in order of their start")
+    if not seconds / dt <= MOST_TICKS:
+        raise ValueError(f"{seconds:g} s at {dt:g} s a tick are more than {MOST_TICKS} ticks")
     count = round(seconds / dt)
     rows = np.zeros((count + 1, 3, 3))
     attached = np.zeros(count + 1, np.bool_)
@@ -285,7 +290,7 @@ def simulate(simulation: Simulation, phases: Sequence[Phase], seconds: float, dt
         pressed = False
         # Half a tick of slack: a phase that starts at 10 * dt starts there although 10 * dt is not a float.
         while active < len(phases) and phases[active].start <= (i + 0.5) * dt:
-            keys, pressed = phases[active].keys, phases[active].keys.jump
+            keys, pressed = phases[active].keys, pressed or phases[active].keys.jump
             simulation.ground = phases[active].ground or simulation.ground
             active += 1
         thrust, events = simulation.tick(keys, dt, jumps=pressed)

@@ -50,11 +50,16 @@ def test_a_blow_up_is_noted(capsys: pytest.CaptureFixture[str]) -> None:
         ("run walk.txt --fps 0", "0.0 is not in the range"),
         ("run bad.txt", "bad.txt: line 1: hop is no action"),
         ("run deep.txt", "deep.txt: the research document's factors for deep water are illegible"),
+        ("run long.txt", "long.txt: 1e+30 s at 0.02 s a tick are more than 10000000 ticks"),
+        ("run raw.bin", "raw.bin: 'utf-8' codec can't decode"),
+        ("fit raw.bin", "raw.bin: 3 bytes are no whole number of records"),
         ("fit walk.txt", "walk.txt: the header has no time"),
     ],
 )
 def test_mistakes_are_told(here: Path, words: str, said: str, capsys: pytest.CaptureFixture[str]) -> None:
     (here / "bad.txt").write_text("0 hop\n1 end")
     (here / "deep.txt").write_text("0 surface deep-water\n0 walk forward\n1 end")
+    (here / "long.txt").write_text("1e30 end")
+    (here / "raw.bin").write_bytes(b"\xff\xfe\x00")
     assert main(["trace", *words.split()]) == 2
     assert said in " ".join(capsys.readouterr().err.replace("│", "").split())

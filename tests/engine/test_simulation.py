@@ -230,6 +230,16 @@ def test_same_input_same_rows() -> None:
     assert one.position.tobytes() == two.position.tobytes() and one.incidents == two.incidents
 
 
+def test_phases_of_one_moment_all_count() -> None:
+    leap = run([Phase(0.5, Keys(jump=True)), Phase(0.5, WALK)], 1.0)
+    assert leap.incidents[0].event is Event.DETACHES and leap.velocity[-1, 1] > 0
+
+
+def test_refuses_endless_histories() -> None:
+    with pytest.raises(ValueError, match="more than 10000000 ticks"):
+        simulate(Simulation(WALKPLAYER), [], 1e30, 0.02)
+
+
 def test_refuses_nonsense() -> None:
     for phases, dt in (([Phase(1), Phase(0)], 0.02), ([], 0.0), ([], math.nan)):
         with pytest.raises(ValueError, match="dt must be positive"):
