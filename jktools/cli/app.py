@@ -87,8 +87,17 @@ def run(words: Sequence[str]) -> int:
 
 def common(function: Any) -> Any:
     """The options that every command over levels has."""
-    game = click.option(
-        "--game", type=click.Choice(["jk", "mots"]), default=None,
-        help="The game whose reading applies. [default: mots for a GOO, else jk]",
+    options = (
+        click.option(
+            "--game", type=click.Choice(["jk", "mots"]), default=None,
+            help="The game whose reading applies. [default: mots for a GOO, else jk]",
+        ),
+        click.option(
+            "--config", metavar="FILE", default=None,
+            help="The configuration to use, or none for none. [default: jktools.toml found upward from each PATH]",
+        ),
+        click.option("--strict-grammar", is_flag=True, help="Read every record with the grammar: slow, same result."),
     )  # fmt: skip
-    return game(function)
+    for option in reversed(options):
+        function = option(function)
+    return function

@@ -5,15 +5,17 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from fnmatch import fnmatch
 from pathlib import Path, PurePosixPath
 
 from jktools.compiler import CompileError, compile_level
-from jktools.diagnostics import Diagnostic
+from jktools.diagnostics import UNUSED_SUPPRESSION, Diagnostic, Label
 from jktools.linter import Selection, lint, select
 from jktools.session.levels import discover, read_level
-from jktools.session.settings import Settings
+from jktools.session.settings import Ignore, Settings
 from jktools.source import InputError, Member
+from jktools.source.container import PACK_SEPARATOR
 
 Progress = Callable[[int, int, str], None]
 """Told before each file: how many are done, how many there are, and its path."""
@@ -34,6 +36,11 @@ class Batch:
     problems: list[str] = field(default_factory=list)
     """Paths that could not be read, one sentence each."""
 
+    def joined(self, other: Batch) -> Batch:
+        """This batch and another as one, in order."""
+        found = sorted([*self.diagnostics, *other.diagnostics], key=lambda d: d.sort_key)
+        return Batch(found, self.files + other.files, [*self.problems, *other.problems])
+
     def __iter__(self) -> Iterator[Diagnostic]:
         return iter(self.diagnostics)
 
@@ -51,17 +58,66 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     rules = select(Selection(settings.select, settings.ignore))
     batch = Batch()
     members = _members(paths, batch.problems)
+    used: set[int] = set()
+    seen: list[str] = []
     for done, member in enumerate(members):
         progress(done, len(members), member.path)
         try:
-            level = read_level(member, settings.game)
+            level = read_level(member, settings)
         except InputError as error:
             batch.problems.append(str(error))
             continue
         batch.files += 1
-        batch.diagnostics += lint(level, rules)
+        found = lint(level, rules, options=settings.options)
+        batch.diagnostics += _with_settings(found, settings, used)
+        seen.append(member.path)
+    batch.diagnostics += _unused(settings, used, seen, [r.code.id for r in rules])
     batch.diagnostics.sort(key=lambda d: d.sort_key)
     return batch
+
+
+def _with_settings(found: Sequence[Diagnostic], settings: Settings, used: set[int]) -> list[Diagnostic]:
+    """Findings without those that an `[[ignore]]` hides, with the severities that the settings give them."""
+    kept = []
+    for diagnostic in found:
+        hiding = [i for i, entry in enumerate(settings.ignores) if _hides(entry, diagnostic)]
+        used.update(hiding)
+        if not hiding:
+            severity = settings.severity.get(diagnostic.code.id, diagnostic.severity)
+            kept.append(diagnostic if severity is diagnostic.severity else replace(diagnostic, severity=severity))
+    return kept
+
+
+def _hides(entry: Ignore, diagnostic: Diagnostic) -> bool:
+    if entry.code != diagnostic.code.id or not _matches(entry.path, diagnostic.path):
+        return False
+    subject = diagnostic.subject
+    if not entry.object:
+        return True
+    return subject is not None and entry.object.lower() in (
+        f"{subject.kind} {subject.index}",
+        f"{subject.kind} {subject.name}".lower(),
+    )
+
+
+def _matches(pattern: str, path: str) -> bool:
+    """Whether a shell pattern names a path or, from a slash or `!` on, its end; case does not count."""
+    path, pattern = path.lower(), pattern.lower()
+    return any(fnmatch(path, lead + pattern) for lead in ("", "*/", f"*{PACK_SEPARATOR}"))
+
+
+def _unused(settings: Settings, used: set[int], seen: Sequence[str], ran: Sequence[str]) -> list[Diagnostic]:
+    """A finding for each `[[ignore]]` that hid nothing though its rule ran over a file that it names."""
+    if UNUSED_SUPPRESSION.id not in ran:
+        return []
+    return [
+        Diagnostic(
+            UNUSED_SUPPRESSION, settings.severity.get(UNUSED_SUPPRESSION.id, UNUSED_SUPPRESSION.severity),
+            Label(entry.span), f"the entry hides {entry.code}, but there is no such finding", "remove the entry",
+        )
+        for i, entry in enumerate(settings.ignores)
+        if i not in used and entry.span and entry.code in ran and any(_matches(entry.path, path) for path in seen)
+    ]  # fmt: skip
 
 
 def _members(paths: Sequence[str], problems: list[str]) -> list[Member]:
@@ -102,7 +158,7 @@ def build_all(paths: Sequence[str], out: Path, settings: Settings | None = None,
     for done, (member, target) in enumerate(zip(members, targets, strict=True)):
         progress(done, len(members), member.path)
         try:
-            level = read_level(member, settings.game)
+            level = read_level(member, settings)
         except InputError as error:
             built.problems.append(str(error))
             continue

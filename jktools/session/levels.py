@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from jktools.model import Level
-from jktools.session.settings import Game
+from jktools.session.settings import Game, Settings
 from jktools.source import Container, Gob, InputError, Member, Target, resolve
 from jktools.source.container import PACK_SEPARATOR
 from jktools.source.path import PACK_EXTENSIONS
@@ -41,9 +41,10 @@ def game_of(member: Member, chosen: Game | None) -> Game:
     return "mots" if pack.lower().endswith(".goo") else "jk"
 
 
-def read_level(member: Member, chosen: Game | None) -> Level:
+def read_level(member: Member, settings: Settings) -> Level:
     """Read one level. Raises InputError when the file cannot be opened; its faults are in `diagnostics`."""
-    return Level(read(member.read(), game_of(member, chosen)))
+    game = game_of(member, settings.game)
+    return Level(read(member.read(), game, strict_grammar=settings.strict_grammar))
 
 
 def load(path: str, game: Game | None = None) -> Level:
@@ -55,7 +56,7 @@ def load(path: str, game: Game | None = None) -> Level:
     levels = discover(path)
     if len(levels) > 1:
         raise InputError(f"{path} holds {len(levels)} levels: name one of {_listed(m.path for m in levels)}")
-    level = read_level(levels[0], game)
+    level = read_level(levels[0], Settings(game))
     if not level.document.sections:
         raise InputError(f"cannot read {levels[0].path}: it has no SECTION: lines, so it is no level")
     return level
