@@ -18,7 +18,7 @@ MALFORMED_SUPPRESSION = Code("JK021", "malformed-suppression", Severity.WARNING)
 
 _MARK = "jktools:"
 _COMMENT = re.compile(r"(?P<sign>#|//|;)[ \t]*jktools:[ \t]*(?P<text>[^\r\n]*)")
-_TEXT = re.compile(r"(?P<scope>ignore|ignore-file)[ \t]+(?P<codes>[^-]+?)[ \t]*(?:--[ \t]*(?P<reason>.*))?$")
+_TEXT = re.compile(r"(?P<scope>ignore|ignore-file)[ \t]+(?P<codes>(?:(?!--).)+?)[ \t]*(?:--[ \t]*(?P<reason>.*))?$")
 _EMPTY = re.compile(r"[ \t]*(#|//|;|$)")
 
 
