@@ -1,0 +1,1 @@
+"""What the game does: pure functions over numpy arrays, one module a system, in two profiles."""
