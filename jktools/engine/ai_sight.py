@@ -51,6 +51,7 @@ class Look:
     """The target moves by physics and floats on the surface (physics flag 0x100000)."""
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def verdicts(
     look: Look, fov: float = DEFAULT_FOV, sight_range: float = DEFAULT_SIGHT_RANGE
 ) -> npt.NDArray[np.int8]:
@@ -113,6 +114,7 @@ def thing_hides(kind: ThingType) -> bool:
     return kind in (ThingType.ACTOR, ThingType.COG)
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def distance_to_target(look: Look) -> Float64:
     """Give the distance that the AI then knows, JKU, (n,): to the target's rim, not below 0."""
     offset = np.asarray(look.target, np.float64) - np.asarray(look.eye, np.float64)

@@ -37,7 +37,7 @@ class Renderer(enum.StrEnum):
     SOFTWARE = "software"
 
 
-@np.errstate(under="ignore")  # a product below the smallest number is 0, which is what is wanted
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def lookup_table(
     effect: ColourEffect,
     engine: Engine = Engine.RESEARCH,
@@ -117,6 +117,7 @@ def filter_shares(effect: ColourEffect, engine: Engine, stopped: float) -> Float
     return np.array([1.0 if passes or not any(on) else stopped for passes in on])
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def vertex_colour(
     light: npt.ArrayLike, effect: ColourEffect, colormap_tint: tuple[float, float, float] = (1.0, 1.0, 1.0)
 ) -> Float64:
@@ -124,12 +125,13 @@ def vertex_colour(
 
     `light` is (...) in 0..1; `colormap_tint` is the tint of the sector's CMP. Texels are multiplied by this
     over 255, so a tint brightens only what is not fully lit. Each step cuts to whole numbers as
-    `rdCache_SendFaceListToHardware` in the decompiled engine does. NaN light is 0.
+    `rdCache_SendFaceListToHardware` in the decompiled engine does. The one clamp comes last: a brightness
+    below 0 shows what a tint took below 0. NaN light is 0.
     """
     lit = np.clip(np.nan_to_num(np.asarray(light, np.float64), nan=0.0), 0.0, 1.0)
     colour = np.trunc(np.trunc(lit * 255.0)[..., None] * np.array(colormap_tint))
     colour = colour * filter_shares(effect, Engine.OPENJKDF2, stopped=0.0)
-    if max(effect.tint) > 0.0:
+    if any(tint > 0.0 for tint in effect.tint):
         colour = colour + np.trunc(colour * (tint_factors(effect.tint) - 1.0))
     if effect.brightness < 1.0:
         colour = np.trunc(colour * effect.brightness)

@@ -18,7 +18,7 @@ _COSINE = tuple((-1.0) ** n / math.factorial(2 * n) for n in range(10))
 # Enough terms for an eighth of a turn: the next is below 1e-18.
 
 
-@np.errstate(under="ignore")  # the square of a tiny angle is 0, which is what is wanted
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def sine_cosine(degrees: npt.ArrayLike) -> tuple[Float64, Float64]:
     """Give sine and cosine of angles in degrees, each (...) float64; NaN for NaN."""
     turned = np.fmod(np.asarray(degrees, np.float64), 360.0)

@@ -26,6 +26,7 @@ class Depth(enum.StrEnum):
     RGB888 = "rgb888"
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def quantise(colours: Float64, depth: Depth = Depth.RGB565) -> UInt8:
     """Round colours to the nearest that the screen can show.
 

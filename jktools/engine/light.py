@@ -24,11 +24,13 @@ MAX_LIGHTS = 32
 """Lights that the engine takes into a frame; further ones do not shine."""
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def reach(intensity: npt.ArrayLike, falloff: float = WORLD_FALLOFF) -> Float64:
     """Give the distance at which lights end, JKU, (...) as `intensity`; 0 for a light up to 0 or NaN."""
     return np.asarray(np.maximum(np.nan_to_num(np.asarray(intensity, np.float64), nan=0.0), 0.0) / falloff)
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def light_on_vertices(
     vertices: npt.ArrayLike, positions: npt.ArrayLike, intensities: npt.ArrayLike
 ) -> Float64:
@@ -45,6 +47,7 @@ def light_on_vertices(
     return total
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def light_on_model(
     vertices: npt.ArrayLike, normals: npt.ArrayLike, positions: npt.ArrayLike, intensities: npt.ArrayLike
 ) -> Float64:
@@ -64,6 +67,7 @@ def light_on_model(
     return np.asarray(np.minimum(total, 1.0))
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def light_on_surfaces(vertex_light: npt.ArrayLike, first: npt.ArrayLike) -> Float64:
     """Give the light at the centre of surfaces, the mean of their vertices: (s,) float64.
 
@@ -78,6 +82,7 @@ def light_on_surfaces(vertex_light: npt.ArrayLike, first: npt.ArrayLike) -> Floa
     return np.asarray(np.add.reduceat(light, starts) / counts if len(starts) else np.zeros(0))
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def surface_brightness(
     sector_extra: npt.ArrayLike, vertex: npt.ArrayLike, dynamic: npt.ArrayLike, face_extra: npt.ArrayLike
 ) -> Float64:
@@ -89,11 +94,13 @@ def surface_brightness(
     return np.asarray(np.maximum(own, _clamped(sector_extra)))
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def thing_brightness(ambient: npt.ArrayLike, extra: npt.ArrayLike) -> Float64:
     """Give the ambient brightness of a thing, 0..1: its sector's ambient and extra light."""
     return _clamped(np.asarray(ambient, np.float64) + np.asarray(extra))
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def pixel(brightness: npt.ArrayLike) -> npt.NDArray[np.uint8]:
     """Give the level 0..255 at which a white texture is drawn: (...) uint8, cut to a whole number."""
     return np.floor(_clamped(brightness) * 255.0).astype(np.uint8)

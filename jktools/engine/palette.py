@@ -36,6 +36,7 @@ def under_effect(
     return apply(colours, effect, engine, renderer, depth)
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def light_level(light: npt.ArrayLike) -> npt.NDArray[np.intp]:
     """Give the row of the light table for light 0..1: (...) in 0..63; clamped outside, NaN is dark."""
     lit = np.clip(np.nan_to_num(np.asarray(light, np.float64), nan=0.0), 0.0, 1.0)

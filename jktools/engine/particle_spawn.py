@@ -44,7 +44,7 @@ class RandomNumbers:
         return np.asarray((raw >> np.uint64(11)).astype(np.float64) * 2.0**-53).reshape(shape)
 
 
-@np.errstate(under="ignore")  # a radius times a tiny cosine is 0, which is what is wanted
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def spawn(template: ParticleTemplate, seed: int, engine: Engine = Engine.RESEARCH) -> tuple[Float64, Int32]:
     """Create a cloud: positions (n, 3) float64, JKU, about the thing's own position, and cels (n,) int32.
 

@@ -44,6 +44,7 @@ class ParticleTrack:
         return float(self.times[gone[0]]) if len(gone) else None
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def simulate(
     template: ParticleTemplate,
     seed: int = 0,
@@ -73,6 +74,7 @@ def simulate(
     return ParticleTrack(times, places * scale[:, None, None], cels, sizes, alive)
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def to_world(positions: Float64, origin: npt.ArrayLike, orientation: npt.ArrayLike) -> Float64:
     """Place local positions (..., 3) in the level: the cloud follows its thing.
 
@@ -82,6 +84,7 @@ def to_world(positions: Float64, origin: npt.ArrayLike, orientation: npt.ArrayLi
     return np.asarray(positions @ np.asarray(orientation, np.float64).T + np.asarray(origin, np.float64))
 
 
+@np.errstate(under="ignore")  # what is too small for a float is 0
 def scales(template: ParticleTemplate, frames: int, step_ms: int) -> Float64:
     """Give the size of the cloud in each frame, in spawn sizes: (t,) float64.
 
