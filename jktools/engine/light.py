@@ -120,8 +120,9 @@ def _checked(
 
 
 def _distance(offsets: Float64) -> Float64:
-    # hypot: squares of 1e200 JKU would overflow, and of 1e-200 vanish.
-    return np.asarray(np.hypot(np.hypot(offsets[:, 0], offsets[:, 1]), offsets[:, 2]))
+    # Levels hold float32: the squares fit a float64, and hypot would take five times as long.
+    x, y, z = offsets[:, 0], offsets[:, 1], offsets[:, 2]
+    return np.asarray(np.sqrt(x * x + y * y + z * z))
 
 
 def _from_front(towards: Float64, normals: Float64, value: float) -> Float64:
