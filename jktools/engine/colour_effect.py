@@ -60,7 +60,7 @@ def combine(effects: Iterable[ColourEffect], engine: Engine = Engine.RESEARCH) -
     r, g, b = (float(any(filter_on(effect.filters[c], engine) for effect in held)) for c in range(3))
     tint_r, tint_g, tint_b = (_total(effect.tint[c] for effect in held) for c in range(3))
     add_r, add_g, add_b = (_total(whole(effect.add[c]) for effect in held) for c in range(3))
-    brightness = min([1.0, *(effect.brightness for effect in held if effect.brightness < 1.0)])
+    brightness = min([1.0, *(effect.brightness for effect in held)])  # NaN is never the less
     return ColourEffect((r, g, b), (tint_r, tint_g, tint_b), (add_r, add_g, add_b), brightness)
 
 

@@ -68,4 +68,4 @@ def spawn(template: ParticleTemplate, seed: int, engine: Engine = Engine.RESEARC
 def _first_cels(template: ParticleTemplate, drawn: Float64) -> Int32:
     if template.cels <= 1 or not template.has(ParticleFlag.RANDOM_CEL):
         return np.zeros(len(drawn), np.int32)
-    return np.minimum(np.floor(drawn * template.cels), template.cels - 1).astype(np.int32)
+    return np.floor(drawn * template.cels).astype(np.int32)

@@ -59,6 +59,8 @@ def test_the_hardware_tints_the_light_not_the_texel() -> None:
     lit = colour.vertex_colour([0.5, 1.0, 2.0, -1.0, np.nan], ColourEffect(tint=(1, 0, 0)))
     assert lit.tolist() == [[254, 64, 64], [255, 128, 128], [255, 128, 128], [0, 0, 0], [0, 0, 0]]
     assert colour.vertex_colour(1.0, ColourEffect(), (0.5, 1.0, 0.25)).tolist() == [127, 255, 63]
+    # 127.5 is cut to 127 before the colormap's 0.99 is taken of it.
+    assert colour.vertex_colour(0.5, ColourEffect(), (0.99, 1.0, 1.0)).tolist() == [125, 127, 127]
 
 
 def test_filters_differ_between_the_profiles_from_minus_one_to_zero() -> None:
@@ -162,6 +164,7 @@ def test_flashes_decay() -> None:
     flash = screen_tint.decayed(flash, 0.5)
     assert flash.tint == pytest.approx((0.6, 0.3, 0.0), abs=1e-15)
     assert flash.add == (127.0, 0.0, 0.0)
+    assert screen_tint.decayed(flash, 0.01).add[0] == 124.0  # 2.56, to the nearest
     frames, flash = 0, screen_tint.Flash((1.0, 0.0, 0.0), (250.0, 0.0, 0.0))
     while flash.tint[0] > 1e-12:
         frames, flash = frames + 1, screen_tint.decayed(flash, 0.02)

@@ -110,6 +110,17 @@ def test_the_smallest_timer_ends_in_the_next_frame() -> None:
     assert simulate(variant(timer=0.0009)).died_at is None
 
 
+def test_timers_are_whole_milliseconds_as_written() -> None:
+    """1.001 s is 1,001 ms, though 1.001 * 1000 is a little less."""
+    assert 1.001 * 1000 < 1001
+    assert [variant(timer=timer).timer_ms for timer in (1.001, 0.2, 0.0019, 1e30)] == [
+        1001,
+        200,
+        1,
+        2**31 - 1,
+    ]
+
+
 def test_shrinking_stops_at_the_least_scale() -> None:
     """1, then 0.5 less a second at 100 frames: below 0.01 it is set back to 0.01, over and over."""
     size = scales(variant(maxthrust=-0.5, typeflags=1), 400, 10)
