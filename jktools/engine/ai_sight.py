@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.framebuffer import Float64
-from jktools.engine.sight import Bool, ThingType
+from jktools.engine.arrays import Bool, Float64
+from jktools.engine.sight import ThingType
 
 DEFAULT_FOV = 0.0
 """Of an AI file that has none: the front half."""

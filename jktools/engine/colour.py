@@ -11,8 +11,9 @@ import enum
 import numpy as np
 import numpy.typing as npt
 
+from jktools.engine.arrays import Float64, UInt8
 from jktools.engine.colour_effect import ColourEffect, filter_on, whole
-from jktools.engine.framebuffer import Depth, Float64, UInt8, quantise
+from jktools.engine.framebuffer import Depth, quantise
 from jktools.engine.profile import Engine
 
 MAX_TINT = 2.0

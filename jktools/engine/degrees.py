@@ -11,7 +11,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.framebuffer import Float64
+from jktools.engine.arrays import Float64
 
 _SINE = tuple((-1.0) ** n / math.factorial(2 * n + 1) for n in range(9))
 _COSINE = tuple((-1.0) ** n / math.factorial(2 * n) for n in range(10))

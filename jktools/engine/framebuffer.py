@@ -9,11 +9,8 @@ from __future__ import annotations
 import enum
 
 import numpy as np
-import numpy.typing as npt
 
-Float64 = npt.NDArray[np.float64]
-UInt8 = npt.NDArray[np.uint8]
-UInt16 = npt.NDArray[np.uint16]
+from jktools.engine.arrays import Float64, UInt8, UInt16
 
 BITS_565 = (5, 6, 5)
 """Bits of red, green and blue."""

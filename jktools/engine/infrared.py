@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.framebuffer import Float64
+from jktools.engine.arrays import Float64
 from jktools.engine.profile import Engine
 
 

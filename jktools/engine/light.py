@@ -12,7 +12,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.framebuffer import Float64
+from jktools.engine.arrays import Float64
 
 WORLD_FALLOFF = 0.8
 """Light lost per JKU on the vertices of the level (`sithRender_RenderDynamicLights`, decompiled engine)."""

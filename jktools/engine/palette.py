@@ -10,9 +10,10 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from jktools.engine.arrays import UInt8
 from jktools.engine.colour import Renderer, apply
 from jktools.engine.colour_effect import ColourEffect
-from jktools.engine.framebuffer import Depth, UInt8
+from jktools.engine.framebuffer import Depth
 from jktools.engine.profile import Engine
 
 LIGHT_LEVELS = 64

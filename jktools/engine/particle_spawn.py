@@ -5,14 +5,11 @@ from __future__ import annotations
 import enum
 
 import numpy as np
-import numpy.typing as npt
 
+from jktools.engine.arrays import Float64, Int32
 from jktools.engine.degrees import sine_cosine
-from jktools.engine.framebuffer import Float64
 from jktools.engine.particle_template import ParticleFlag, ParticleTemplate
 from jktools.engine.profile import Engine
-
-Int32 = npt.NDArray[np.int32]
 
 FULL_CIRCLE = {Engine.RESEARCH: 180.0, Engine.OPENJKDF2: 360.0}
 """Degrees to each side that a pitchrange or yawrange of 0 stands for: the same places, by other numbers."""

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.framebuffer import Float64
-from jktools.engine.particle_spawn import Int32, RandomNumbers, Stream, spawn
+from jktools.engine.arrays import Bool, Float64, Int32
+from jktools.engine.particle_spawn import RandomNumbers, Stream, spawn
 from jktools.engine.particle_template import ParticleFlag, ParticleTemplate
 from jktools.engine.profile import Engine
 
@@ -34,7 +34,7 @@ class ParticleTrack:
     """(t, n)."""
     sizes: Float64
     """(t, n) side of the drawn square, JKU."""
-    alive: npt.NDArray[np.bool_]
+    alive: Bool
     """(t, n)."""
 
     @property

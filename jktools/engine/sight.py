@@ -11,9 +11,8 @@ import enum
 import numpy as np
 import numpy.typing as npt
 
+from jktools.engine.arrays import Bool
 from jktools.engine.profile import Engine
-
-Bool = npt.NDArray[np.bool_]
 
 SURFACE_COLLISION = 0x4
 ADJOIN_VISIBLE = 0x1
