@@ -109,7 +109,8 @@ def _start() -> tuple[Any, Any]:
     return track.positions[0], track.cels[0]
 
 
-def test_the_loops_agree() -> None:
+@pytest.fixture(scope="module", autouse=True)
+def the_loops_agree() -> None:
     """What is compared must be the same work."""
     for name in ("palette of 256 colours", "image of 640 x 480"):
         fast, slow = (case() for case in CASES[name])

@@ -81,7 +81,10 @@ def to_world(positions: Float64, origin: npt.ArrayLike, orientation: npt.ArrayLi
     Source: research document, "Coordinate space". `origin` is the thing's position, (3,) or broadcast with
     one a frame; `orientation` is (3, 3), its columns the right, look and up vectors of the thing.
     """
-    return np.asarray(positions @ np.asarray(orientation, np.float64).T + np.asarray(origin, np.float64))
+    right, look, up = np.asarray(orientation, np.float64).T
+    x, y, z = positions[..., :1], positions[..., 1:2], positions[..., 2:]
+    # Not a matrix product: those of numpy's BLAS differ in the last bit between processors.
+    return np.asarray(x * right + y * look + z * up + np.asarray(origin, np.float64))
 
 
 @np.errstate(under="ignore")  # what is too small for a float is 0
