@@ -90,7 +90,7 @@ def out_of_view(right: npt.ArrayLike, forward: npt.ArrayLike, fov: float = DEFAU
     `right` and `forward` are the direction's components along the looker's axes. A fov from 0 to 1 sees the
     front where the side component is at most 1 - fov: 0 is the front half, 1 straight ahead only. Below 0,
     down to -1, it sees the front and, behind, where the side component is at least fov + 1; at -1 and below
-    it sees everywhere. Up and down do not count.
+    it sees everywhere. What is far above or below has little side component, so it is easily seen.
     """
     side, ahead = np.abs(np.asarray(right, np.float64)), np.asarray(forward, np.float64)
     if fov >= 0.0:

@@ -24,7 +24,7 @@ FULL_ADD = 283.0
 
 The research document calls 290 the maximum, from a plot. Its own three samples (220 on black, 145 on white,
 145 on quarter white) are met to the last bit by any value in (280.0, 285.7] and by no other: this is the
-middle. With 290 two of them miss by one step of the 565 screen; 290 is fully saturated either way.
+middle. With 290 all three miss by one step of the 565 screen; 290 is fully saturated either way.
 """
 
 SOFTWARE_FILTER_SHARE = 0.25

@@ -22,8 +22,8 @@ LONGEST_FADE_STEP_MS = 100
 class ParticleTrack:
     """Hold a simulated cloud: t frames of n particles.
 
-    `positions` are local to the thing: see `to_world`. A particle that is gone keeps its last place with size
-    0.
+    `positions` are local to the thing: see `to_world`. A particle that is gone has size 0; its place and
+    cel then mean nothing.
     """
 
     times: Float64
@@ -142,13 +142,14 @@ def _cels(
     left * elapsed / remaining * step, so it is about there when the timer ends, and at once without a timer.
     """
     frames, last = len(left_ms), template.cels - 1
-    if not template.has(ParticleFlag.CYCLE_CELS) or last < 1:
+    timer = template.timer_ms
+    endless = engine is Engine.RESEARCH and not timer
+    if not template.has(ParticleFlag.CYCLE_CELS) or last < 1 or endless:
         return np.repeat(first[None], frames, axis=0)
-    if engine is Engine.RESEARCH:
-        timer = template.timer_ms or frames * step_ms * template.cels * 2**20
-        elapsed = np.minimum(np.arange(frames, dtype=np.int64) * step_ms, timer)[:, None]
-        return (first + (last - first) * elapsed // timer).astype(np.int32)
-    return _cels_by_chance(template, first, left_ms, step_ms, random)
+    if engine is Engine.OPENJKDF2:
+        return _cels_by_chance(template, first, left_ms, step_ms, random)
+    elapsed = np.minimum(np.arange(frames, dtype=np.int64) * step_ms, timer)[:, None]
+    return (first + (last - first) * elapsed // timer).astype(np.int32)
 
 
 def _cels_by_chance(

@@ -96,7 +96,7 @@ def test_an_ai_that_looks_everywhere() -> None:
     for fov in (-1.0, -5.0):
         assert judged(look(at(180.0)), fov=fov) is Verdict.SEEN
     assert judged(look([0.0, 0.0, 0.0]), fov=1.0) is Verdict.SEEN
-    assert judged(look([0.0, 0.0, 9.0]), fov=0.9) is Verdict.SEEN  # height does not count
+    assert judged(look([0.0, 0.0, 9.0]), fov=0.9) is Verdict.SEEN  # straight up: no side component
 
 
 def test_range_less_the_size_of_the_target_twice() -> None:
