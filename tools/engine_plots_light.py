@@ -46,9 +46,7 @@ def level(effect: ColourEffect, given: int, channel: int, engine: Engine, render
     return int(colour.apply([given] * 3, effect, engine, renderer, Depth.RGB565)[channel])
 
 
-def response(
-    axes: Any, title: str, values: Any, given: int, channel: int, effect: Callable[[float], Any]
-) -> None:
+def response(axes: Any, title: str, values: Any, given: int, channel: int, effect: Callable[[float], Any]) -> None:
     """Draw one channel against one parameter, by profile and renderer."""
     ways = (
         ("research", Engine.RESEARCH, Renderer.HARDWARE, "-"),
@@ -64,9 +62,7 @@ def response(
 def draw_colour(figure: Any) -> None:
     """Add on black, tint on white, brightness on white."""
     add, tint, brightness = figure.subplots(1, 3)
-    response(
-        add, "green of black, by add", np.arange(-20, 311, 2), 0, 1, lambda v: ColourEffect(add=(v, v, v))
-    )
+    response(add, "green of black, by add", np.arange(-20, 311, 2), 0, 1, lambda v: ColourEffect(add=(v, v, v)))
     add.plot([220], [199], **MEASURED)
     response(
         tint,
@@ -134,9 +130,7 @@ def draw_particles(figure: Any) -> None:
         )
     fade, cels, size = bottom
     for rate in (16.0, 128.0):
-        track = particles.simulate(
-            ParticleTemplate(count=128, timer=1.0, typeflags=0x8, rate=rate), 1, seconds=9.0
-        )
+        track = particles.simulate(ParticleTemplate(count=128, timer=1.0, typeflags=0x8, rate=rate), 1, seconds=9.0)
         fade.plot(track.times, track.alive.sum(axis=1), label=f"rate {rate:.0f}")
     fade.set(title="particles left, timer 1 s, 0x8", xlabel="s")
     for engine in Engine:

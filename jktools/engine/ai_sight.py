@@ -52,9 +52,7 @@ class Look:
 
 
 @np.errstate(under="ignore")  # what is too small for a float is 0
-def verdicts(
-    look: Look, fov: float = DEFAULT_FOV, sight_range: float = DEFAULT_SIGHT_RANGE
-) -> npt.NDArray[np.int8]:
+def verdicts(look: Look, fov: float = DEFAULT_FOV, sight_range: float = DEFAULT_SIGHT_RANGE) -> npt.NDArray[np.int8]:
     """Judge each pair as if nothing stood between: (n,) int8 of `Verdict`: water first, then range, view.
 
     `fov` and `sight_range` (JKU) come from the AI file. NaN distances are in range and in view, as they

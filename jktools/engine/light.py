@@ -31,9 +31,7 @@ def reach(intensity: npt.ArrayLike, falloff: float = WORLD_FALLOFF) -> Float64:
 
 
 @np.errstate(under="ignore")  # what is too small for a float is 0
-def light_on_vertices(
-    vertices: npt.ArrayLike, positions: npt.ArrayLike, intensities: npt.ArrayLike
-) -> Float64:
+def light_on_vertices(vertices: npt.ArrayLike, positions: npt.ArrayLike, intensities: npt.ArrayLike) -> Float64:
     """Add up the dynamic light on level vertices: (n,) float64, not yet clamped.
 
     `vertices` is (n, 3) and `positions` (m, 3), JKU; `intensities` is (m,). Each light gives its value less

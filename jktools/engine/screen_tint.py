@@ -54,9 +54,7 @@ def with_damage(flash: Flash, damage: float) -> Flash:
 
 def with_add(flash: Flash, add: tuple[float, float, float]) -> Flash:
     """Add a dynamic add (COG AddDynamicAdd): whole, at most 255; a negative one lasts until the decay."""
-    red, green, blue = (
-        min(old + whole(new), MAX_DYNAMIC_ADD) for old, new in zip(flash.add, add, strict=True)
-    )
+    red, green, blue = (min(old + whole(new), MAX_DYNAMIC_ADD) for old, new in zip(flash.add, add, strict=True))
     return Flash(flash.tint, (red, green, blue))
 
 

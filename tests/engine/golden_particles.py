@@ -119,8 +119,7 @@ def full_circle(golden: dict[str, Any]) -> None:
 def slowest_rate(golden: dict[str, Any]) -> None:
     assert golden["particles"]["rate_has_a_lower_limit"] is True
     left = {
-        rate: particles.simulate(cloud(ParticleFlag.FADE, rate=rate)).alive.sum(axis=1)
-        for rate in (0.0, 16.0, 128.0)
+        rate: particles.simulate(cloud(ParticleFlag.FADE, rate=rate)).alive.sum(axis=1) for rate in (0.0, 16.0, 128.0)
     }
     assert np.array_equal(left[0.0], left[16.0])
     fading = (left[0.0] < 128) & (left[0.0] > 0)

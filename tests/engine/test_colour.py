@@ -114,9 +114,7 @@ def test_images_and_palettes() -> None:
         for renderer in Renderer:
             whole = apply(image, effect, engine, renderer)
             assert whole.shape == image.shape
-            alone = [
-                [apply(pixel.tolist(), effect, engine, renderer).tolist() for pixel in row] for row in image
-            ]
+            alone = [[apply(pixel.tolist(), effect, engine, renderer).tolist() for pixel in row] for row in image]
             assert whole.tolist() == alone
     colours = random.integers(0, 256, (256, 3), dtype=np.uint8)
     expected = apply(colours, effect, renderer=Renderer.SOFTWARE, depth=Depth.RGB888)
@@ -144,9 +142,7 @@ def test_light_and_transparency_tables() -> None:
         lambda: ColourEffect.from_call([0] * 9),
         lambda: palette.under_effect(np.zeros((255, 3), np.uint8), ColourEffect()),
         lambda: palette.shaded(np.zeros(1, np.uint8), 0.0, np.zeros((63, 256), np.uint8)),
-        lambda: palette.seen_through(
-            np.zeros(1, np.uint8), np.zeros(1, np.uint8), np.zeros((256, 2), np.uint8)
-        ),
+        lambda: palette.seen_through(np.zeros(1, np.uint8), np.zeros(1, np.uint8), np.zeros((256, 2), np.uint8)),
     ],
 )
 def test_what_is_no_colour_is_refused(call: object) -> None:
@@ -157,9 +153,7 @@ def test_what_is_no_colour_is_refused(call: object) -> None:
 
 def test_flashes_decay() -> None:
     """From full, a tint takes 2.5 s and an add 1 s; both in whole frames of 50 a second."""
-    flash = screen_tint.with_add(
-        screen_tint.with_tint(screen_tint.Flash(), (0.8, 0.5, -1.0)), (300, 100.9, -20)
-    )
+    flash = screen_tint.with_add(screen_tint.with_tint(screen_tint.Flash(), (0.8, 0.5, -1.0)), (300, 100.9, -20))
     assert flash == screen_tint.Flash((0.8, 0.5, 0.0), (255.0, 100.0, -20.0))
     flash = screen_tint.decayed(flash, 0.5)
     assert flash.tint == pytest.approx((0.6, 0.3, 0.0), abs=1e-15)

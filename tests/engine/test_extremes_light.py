@@ -19,9 +19,7 @@ from jktools.engine.particles import simulate
 from jktools.engine.profile import Engine
 
 wild = st.one_of(
-    st.sampled_from(
-        [0.0, -0.0, 1.0, -1.0, 1e30, -1e30, 1e-300, -1e-300, 5e-324, math.nan, 0.5, 2.0, 255.0, 290.0]
-    ),
+    st.sampled_from([0.0, -0.0, 1.0, -1.0, 1e30, -1e30, 1e-300, -1e-300, 5e-324, math.nan, 0.5, 2.0, 255.0, 290.0]),
     st.floats(-1e30, 1e30),
 )
 triples = st.tuples(wild, wild, wild)
@@ -50,9 +48,7 @@ def test_colour(asked: list[ColourEffect], engine: Engine, renderer: Renderer, d
 
 @given(effects, engines, renderers, depths)
 @settings(max_examples=200, deadline=None)
-def test_one_effect_drawn_uncombined(
-    effect: ColourEffect, engine: Engine, renderer: Renderer, depth: Depth
-) -> None:
+def test_one_effect_drawn_uncombined(effect: ColourEffect, engine: Engine, renderer: Renderer, depth: Depth) -> None:
     with np.errstate(all="raise"):
         table = colour.lookup_table(effect, engine, renderer, depth)
         colour.vertex_colour([0.0, 0.5, 1.0], effect, (1.0, 0.5, 0.0))

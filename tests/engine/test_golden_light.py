@@ -57,9 +57,7 @@ def test_the_docs_tell_what_is_open(key: str) -> None:
     assert f"`{key}`" in DOCS.read_text()
 
 
-def test_290_is_the_maximum_but_not_the_slope(
-    golden: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_290_is_the_maximum_but_not_the_slope(golden: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
     """Where the document contradicts itself: with 290 as the slope its own samples miss by one 565 step."""
     monkeypatch.setattr("jktools.engine.colour.FULL_ADD", float(golden["color"]["max_add"]))
     missed = {}

@@ -77,9 +77,7 @@ def wrong_template(**change: Callable[[ParticleTemplate], Any]) -> Any:
     """A simulation of another template."""
 
     def run(template: ParticleTemplate, *args: Any, **named: Any) -> Any:
-        return simulate(
-            replace(template, **{key: get(template) for key, get in change.items()}), *args, **named
-        )
+        return simulate(replace(template, **{key: get(template) for key, get in change.items()}), *args, **named)
 
     return run
 
@@ -102,9 +100,7 @@ def thing_dies_with_timer(template: ParticleTemplate, frames: int, step_ms: int,
 
 
 def always_fade(template: ParticleTemplate, frames: int, step_ms: int, random: Any) -> Any:
-    return survivors(
-        replace(template, typeflags=template.typeflags | ParticleFlag.FADE), frames, step_ms, random
-    )
+    return survivors(replace(template, typeflags=template.typeflags | ParticleFlag.FADE), frames, step_ms, random)
 
 
 def late_cels(template: ParticleTemplate, *args: Any) -> Any:
@@ -250,9 +246,7 @@ CASES = [pytest.param(m, key, id=f"{key}: {m.name}") for m in MUTATIONS for key 
 
 
 @pytest.mark.parametrize(("mutant", "key"), CASES)
-def test_mutant_is_caught(
-    mutant: Mutation, key: str, golden: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_mutant_is_caught(mutant: Mutation, key: str, golden: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(mutant.target, mutant.changed)
     if mutant.target.endswith("particle_spawn.spawn"):
         monkeypatch.setattr(golden_particles, "spawn", mutant.changed)

@@ -34,9 +34,7 @@ def exact_sine(degrees: float) -> Fraction:
 
 
 def test_sine_and_cosine() -> None:
-    angles = np.concatenate(
-        [np.random.default_rng(5).uniform(-720, 720, 150), [1e-9, 44.999, 45.0, 45.001, 1e6 + 0.1]]
-    )
+    angles = np.concatenate([np.random.default_rng(5).uniform(-720, 720, 150), [1e-9, 44.999, 45.0, 45.001, 1e6 + 0.1]])
     sine, cosine = sine_cosine(angles)
     for angle, s, c in zip(angles.tolist(), sine.tolist(), cosine.tolist(), strict=True):
         assert abs(exact_sine(angle) - Fraction(s)) < Fraction(3, 10**16)
