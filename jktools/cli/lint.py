@@ -16,8 +16,8 @@ from jktools.emit import json as json_format
 from jktools.emit import text as text_format
 from jktools.linter import UnknownRuleError
 from jktools.session import Batch, Settings, check
-from jktools.session.batch import write_atomically
 from jktools.session.settings import Game
+from jktools.session.write import write_atomically
 
 
 @click.command("lint")

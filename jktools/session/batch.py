@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
@@ -13,6 +11,7 @@ from jktools.diagnostics import Diagnostic
 from jktools.linter import Selection, lint, select
 from jktools.session.levels import discover, read_level
 from jktools.session.settings import Settings
+from jktools.session.write import write_atomically
 from jktools.source import InputError, Member
 
 Progress = Callable[[int, int, str], None]
@@ -69,7 +68,7 @@ def _members(paths: Sequence[str], problems: list[str]) -> list[Member]:
     members: dict[str, Member] = {}
     for path in paths:
         try:
-            for member in discover(path):
+            for member in discover(path, problems):
                 members.setdefault(member.path, member)
         except InputError as error:
             problems.append(str(error))
@@ -142,29 +141,3 @@ def _pack(member: Member) -> str:
     """Name of the pack or folder that holds a level."""
     container = member.path[: len(member.path) - len(member.name)].rstrip("!/")
     return PurePosixPath(container).name or "level"
-
-
-def write_atomically(target: Path, data: bytes) -> None:
-    """Write beside the target, flush, then rename: a crash never leaves half a file. Raises InputError."""
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}-")
-        fresh = Path(name)
-        try:
-            with os.fdopen(handle, "wb") as stream:
-                stream.write(data)
-                stream.flush()
-                os.fsync(stream.fileno())
-            fresh.chmod(0o666 & ~_umask())
-            fresh.replace(target)
-        except BaseException:
-            fresh.unlink(missing_ok=True)
-            raise
-    except OSError as error:
-        raise InputError(f"cannot write {target}: {(error.strerror or str(error)).lower()}") from error
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

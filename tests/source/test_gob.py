@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from jktools.source import Gob, InputError
+from jktools.source import Gob, InputError, PackBytes
 from tests.support.levels import gob_of
 
 
 def pack(tmp_path: Path, data: bytes) -> Gob:
     path = tmp_path / "p.gob"
     path.write_bytes(data)
-    return Gob("p.gob", path)
+    return Gob(PackBytes.mapped("p.gob", path))
 
 
 def test_names_are_found_whatever_their_case_and_slashes(tmp_path: Path) -> None:
