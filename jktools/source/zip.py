@@ -23,7 +23,16 @@ _OTHER_METHODS = {1: "shrink", 6: "implode", 9: "deflate64", 12: "bzip2", 14: "L
 
 _STEP = 2**20
 _ENCRYPTED = 0x1
-_DAMAGE = (zipfile.BadZipFile, zlib.error, struct.error, EOFError, ValueError, OverflowError, NotImplementedError)
+_DAMAGE = (
+    zipfile.BadZipFile,
+    zlib.error,
+    struct.error,
+    EOFError,
+    ValueError,
+    OSError,
+    OverflowError,
+    NotImplementedError,
+)
 """What the standard library raises on a damaged archive, which is not `BadZipFile` alone."""
 
 
@@ -124,7 +133,7 @@ class _Stream(io.RawIOBase):
     def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
         start = {io.SEEK_SET: 0, io.SEEK_CUR: self._at, io.SEEK_END: len(self._bytes())}[whence]
         if start + offset < 0:
-            raise ValueError("an offset lies before the start")
+            raise OSError("an offset lies before the start")  # zipfile takes it for "no such record here"
         self._at = start + offset
         return self._at
 
