@@ -14,8 +14,11 @@ from jktools.source.errors import InputError
 MOST_MAPPED = 64
 """Packs held open at once: each map keeps a file open, and macOS allows a process 256 of them."""
 
+MOST_KEPT = 2**28
+"""Bytes of inflated packs that are kept for the next read, besides the pack used last."""
+
 MOST_INFLATED = 2**30
-"""Bytes that may be inflated from one pack, with the packs around it, and held at once.
+"""Bytes that a file in a pack may have, together with the inflated packs around it.
 
 More than the CD that the game came on, so no mod meets it, and less than what a machine of today has.
 """
@@ -93,7 +96,7 @@ class _Recent:
             held = list(self._packs)
             inflated = sum(p.inflated for p in held)
             for oldest in held[:-1]:
-                if len(self._packs) <= MOST_MAPPED and inflated <= MOST_INFLATED:
+                if len(self._packs) <= MOST_MAPPED and inflated <= MOST_KEPT:
                     break
                 oldest.let_go()
                 inflated -= oldest.inflated

@@ -63,8 +63,8 @@ class Zip(Pack):
 
     def _scan(self) -> Iterator[Member]:
         for info in self._archive.infolist():
-            if not info.is_dir():
-                name = info.filename.replace("\\", "/")
+            name = info.filename.replace("\\", "/")
+            if info.file_size or not name.endswith("/"):  # else a folder; ZipInfo.is_dir raises on an empty name
                 path = self._path_of(name)
                 yield Member(path, name, info.file_size, info.file_size, _Inflate(self, path, info))
 

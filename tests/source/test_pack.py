@@ -71,7 +71,7 @@ def test_what_is_inflated_in_one_archive_counts_together(monkeypatch: pytest.Mon
 
 
 def test_inner_packs_are_let_go_and_inflated_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("jktools.source.pack.MOST_INFLATED", 4 * MIB)
+    monkeypatch.setattr("jktools.source.pack.MOST_KEPT", 4 * MIB)
     noise = random.Random(1)
     packs = [(f"{i:02}.gob", gob_of([("a.jkl", noise.randbytes(MIB))])) for i in range(24)]
     site = pack_of(zip_of(packs, zipfile.ZIP_STORED))
