@@ -103,7 +103,7 @@ def _write(member: Member, target: Path, done: Extracted) -> None:
             f"cannot extract {member.path}: the pack is cut off, {len(data)} of {member.declared} bytes are there"
         )
         return
-    write_atomically(target, data)
+    write_atomically(target, data, durable=False)  # what is lost can be extracted again
     done.written.append((member.path, target, len(data)))
 
 

@@ -10,12 +10,16 @@ from pathlib import Path
 from jktools.source import InputError
 
 
-def write_atomically(target: Path, data: bytes | memoryview) -> None:
-    """Write beside the target, flush, then rename: a crash never leaves half a file. Raises InputError."""
-    write_parts(target, [data])
+def write_atomically(target: Path, data: bytes | memoryview, *, durable: bool = True) -> None:
+    """Write beside the target, flush, then rename: a crash never leaves half a file. Raises InputError.
+
+    Without `durable` that holds for a crash of jktools, but not of the machine, and thousands of small files are
+    written in a tenth of the time (benchmarks/bench_packs.py).
+    """
+    write_parts(target, [data], durable=durable)
 
 
-def write_parts(target: Path, parts: Iterable[bytes | memoryview]) -> int:
+def write_parts(target: Path, parts: Iterable[bytes | memoryview], *, durable: bool = True) -> int:
     """Write what comes piece by piece, as atomically, and give how many bytes it was.
 
     When a piece cannot be made the target stays as it was. Raises InputError.
@@ -28,7 +32,8 @@ def write_parts(target: Path, parts: Iterable[bytes | memoryview]) -> int:
             with os.fdopen(handle, "wb") as stream:
                 size = sum(stream.write(part) for part in parts)
                 stream.flush()
-                os.fsync(stream.fileno())
+                if durable:
+                    os.fsync(stream.fileno())
             fresh.chmod(0o666 & ~_umask())
             fresh.replace(target)
         except BaseException:
