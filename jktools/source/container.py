@@ -38,7 +38,7 @@ class Member:
     """The name as a GOB's directory stores it, with what its padding holds; None elsewhere."""
 
     def read(self) -> Source:
-        """Map or read the file. Raises InputError when it cannot be opened."""
+        """Read the file. Raises InputError when it cannot be opened, or a zip holds it damaged."""
         return Source(self.path, self._read(), self.name, self.declared)
 
     @property

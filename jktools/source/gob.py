@@ -59,12 +59,15 @@ class Gob(Pack):
 
 
 class _Slice:
-    """Reads a range of the pack when called; holds no copy before."""
+    """Copies a range of the pack when called; holds nothing before.
+
+    A view would keep the map, and so the pack's file, open for as long as a finding in it is kept.
+    """
 
     __slots__ = ("_data", "_end", "_start")
 
     def __init__(self, data: PackBytes, start: int, end: int) -> None:
         self._data, self._start, self._end = data, start, end
 
-    def __call__(self) -> memoryview:
-        return self._data()[self._start : self._end]
+    def __call__(self) -> bytes:
+        return bytes(self._data()[self._start : self._end])

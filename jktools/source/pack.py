@@ -50,9 +50,9 @@ class PackBytes:
         self._length: int | None = None
 
     @classmethod
-    def mapped(cls, path: str, file: Path, depth: int = 1) -> PackBytes:
+    def mapped(cls, path: str, file: Path) -> PackBytes:
         """Those of a file on disk. Nothing is opened yet."""
-        return cls(path, lambda: _map(path, file), depth=depth)
+        return cls(path, lambda: _map(path, file))
 
     @classmethod
     def of(cls, path: str, data: bytes | memoryview) -> PackBytes:
