@@ -17,9 +17,9 @@ from jktools.emit import json as json_format
 from jktools.emit import text as text_format
 from jktools.linter import UnknownRuleError
 from jktools.session import Batch, check
-from jktools.session.batch import write_atomically
 from jktools.session.config import FailOn
 from jktools.session.settings import Game
+from jktools.session.write import write_atomically
 
 
 @click.command("lint")
@@ -50,7 +50,7 @@ def command(
 ) -> int:
     """Find what is wrong with levels.
 
-    PATH is a level, a folder, a GOB or GOO, or one member as pack.gob!jkl/x.jkl.
+    PATH is a level, a folder, a GOB, GOO or zip, or what lies in one: pack.gob!jkl/x.jkl, site.zip!mods/pack.gob.
 
     Exit status: 0 clean, 1 findings at or above --fail-on, 2 bad usage or a PATH that cannot be read, 3 a bug in
     jktools.

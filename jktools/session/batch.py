@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
-from fnmatch import fnmatch
+from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from jktools.compiler import CompileError, compile_level
-from jktools.diagnostics import UNUSED_SUPPRESSION, Diagnostic, Label
+from jktools.diagnostics import Diagnostic
 from jktools.linter import Selection, lint, select
+from jktools.session.ignores import unused_ignores, with_settings
 from jktools.session.levels import discover, read_level
-from jktools.session.settings import Ignore, Settings
+from jktools.session.settings import Settings
+from jktools.session.write import write_atomically
 from jktools.source import InputError, Member
-from jktools.source.container import PACK_SEPARATOR
 
 Progress = Callable[[int, int, str], None]
 """Told before each file: how many are done, how many there are, and its path."""
@@ -69,55 +67,11 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
             continue
         batch.files += 1
         found = lint(level, rules, options=settings.options)
-        batch.diagnostics += _with_settings(found, settings, used)
+        batch.diagnostics += with_settings(found, settings, used)
         seen.append(member.path)
-    batch.diagnostics += _unused(settings, used, seen, [r.code.id for r in rules])
+    batch.diagnostics += unused_ignores(settings, used, seen, [r.code.id for r in rules])
     batch.diagnostics.sort(key=lambda d: d.sort_key)
     return batch
-
-
-def _with_settings(found: Sequence[Diagnostic], settings: Settings, used: set[int]) -> list[Diagnostic]:
-    """Findings without those that an `[[ignore]]` hides, with the severities that the settings give them."""
-    kept = []
-    for diagnostic in found:
-        hiding = [i for i, entry in enumerate(settings.ignores) if _hides(entry, diagnostic)]
-        used.update(hiding)
-        if not hiding:
-            severity = settings.severity.get(diagnostic.code.id, diagnostic.severity)
-            kept.append(diagnostic if severity is diagnostic.severity else replace(diagnostic, severity=severity))
-    return kept
-
-
-def _hides(entry: Ignore, diagnostic: Diagnostic) -> bool:
-    if entry.code != diagnostic.code.id or not _matches(entry.path, diagnostic.path):
-        return False
-    subject = diagnostic.subject
-    if not entry.object:
-        return True
-    return subject is not None and entry.object.lower() in (
-        f"{subject.kind} {subject.index}",
-        f"{subject.kind} {subject.name}".lower(),
-    )
-
-
-def _matches(pattern: str, path: str) -> bool:
-    """Whether a shell pattern names a path or, from a slash or `!` on, its end; case does not count."""
-    path, pattern = path.lower(), pattern.lower()
-    return any(fnmatch(path, lead + pattern) for lead in ("", "*/", f"*{PACK_SEPARATOR}"))
-
-
-def _unused(settings: Settings, used: set[int], seen: Sequence[str], ran: Sequence[str]) -> list[Diagnostic]:
-    """A finding for each `[[ignore]]` that hid nothing though its rule ran over a file that it names."""
-    if UNUSED_SUPPRESSION.id not in ran:
-        return []
-    return [
-        Diagnostic(
-            UNUSED_SUPPRESSION, settings.severity.get(UNUSED_SUPPRESSION.id, UNUSED_SUPPRESSION.severity),
-            Label(entry.span), f"the entry hides {entry.code}, but there is no such finding", "remove the entry",
-        )
-        for i, entry in enumerate(settings.ignores)
-        if i not in used and entry.span and entry.code in ran and any(_matches(entry.path, path) for path in seen)
-    ]  # fmt: skip
 
 
 def _members(paths: Sequence[str], problems: list[str]) -> list[Member]:
@@ -125,7 +79,7 @@ def _members(paths: Sequence[str], problems: list[str]) -> list[Member]:
     members: dict[str, Member] = {}
     for path in paths:
         try:
-            for member in discover(path):
+            for member in discover(path, problems):
                 members.setdefault(member.path, member)
         except InputError as error:
             problems.append(str(error))
@@ -198,29 +152,3 @@ def _pack(member: Member) -> str:
     """Name of the pack or folder that holds a level."""
     container = member.path[: len(member.path) - len(member.name)].rstrip("!/")
     return PurePosixPath(container).name or "level"
-
-
-def write_atomically(target: Path, data: bytes) -> None:
-    """Write beside the target, flush, then rename: a crash never leaves half a file. Raises InputError."""
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}-")
-        fresh = Path(name)
-        try:
-            with os.fdopen(handle, "wb") as stream:
-                stream.write(data)
-                stream.flush()
-                os.fsync(stream.fileno())
-            fresh.chmod(0o666 & ~_umask())
-            fresh.replace(target)
-        except BaseException:
-            fresh.unlink(missing_ok=True)
-            raise
-    except OSError as error:
-        raise InputError(f"cannot write {target}: {(error.strerror or str(error)).lower()}") from error
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
