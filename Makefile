@@ -16,7 +16,7 @@ NATIVE := CMakeLists.txt $(shell find native runtime -name '*.[ch]pp' -o -name '
 # The editable install knows the modules that were there when it was made: a new file changes its folder's time.
 FOLDERS := $(shell find jktools grammars -type d ! -name __pycache__)
 
-.PHONY: demo test bench fuzz fresh check native-test pytest generate clean
+.PHONY: demo test bench fuzz fresh check native-test pytest generate counts clean
 
 demo: $(VENV)/built
 	@fixtures/demo.sh
@@ -48,6 +48,10 @@ fresh:
 # Everything in the repository that is made from something else in it.
 generate: $(VENV)/built
 	python -m tools.generate
+
+# The same, after counting every rule's findings over the corpus of real mods.
+counts: $(VENV)/built
+	python -m tools.generate --count
 
 clean:
 	rm -rf $(VENV) build out

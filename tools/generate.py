@@ -10,6 +10,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tools.rule_pages import count_corpus, rule_pages
+
 ROOT = Path(__file__).resolve().parent.parent
 SCHEMA = "grammars/level.fbs"
 DOORS = ("text", "geometry", "file")
@@ -58,14 +60,18 @@ def level_code(into: Path) -> list[Path]:
 
 def generate(into: Path) -> list[Path]:
     """Write everything beneath `into` and list it."""
-    return [*native_stubs(into), *level_code(into)]
+    return [*native_stubs(into), *level_code(into), *rule_pages(into)]
 
 
 def main() -> None:
     """The command line."""
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("--into", type=Path, default=ROOT)
-    for path in generate(arguments.parse_args().into):
+    arguments.add_argument("--count", action="store_true", help="count the rules' findings over the corpus first")
+    chosen = arguments.parse_args()
+    if chosen.count:
+        print(count_corpus(chosen.into))
+    for path in generate(chosen.into):
         print(path)
 
 

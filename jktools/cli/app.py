@@ -18,6 +18,7 @@ COMMANDS = {
     "lint": "find what is wrong with levels",
     "build": "compile levels to binary files",
     "inspect": "show what a compiled level holds",
+    "pack": "list, extract and create GOB packs",
     "explain": "show a rule's documentation",
     "rules": "list the rules",
     "trace": "simulate a body, or fit a recorded one",
@@ -50,14 +51,19 @@ def cli() -> None:
     """Level compiler and static analyser for Jedi Knight and Mysteries of the Sith."""
 
 
+def printable(text: str) -> str:
+    """Text from a file on one line: a name in a pack may hold line ends and a terminal's control codes."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
 def problem(message: str) -> None:
     """Tell a problem of the run, as opposed to a finding, on standard error."""
-    click.echo(f"jktools: error: {message}", err=True)
+    click.echo(f"jktools: error: {printable(message)}", err=True)
 
 
 def note(message: str) -> None:
     """Tell something that is no problem, on standard error."""
-    click.echo(f"jktools: note: {message}", err=True)
+    click.echo(f"jktools: note: {printable(message)}", err=True)
 
 
 def run(words: Sequence[str]) -> int:
@@ -88,8 +94,17 @@ def run(words: Sequence[str]) -> int:
 
 def common(function: Any) -> Any:
     """The options that every command over levels has."""
-    game = click.option(
-        "--game", type=click.Choice(["jk", "mots"]), default=None,
-        help="The game whose reading applies. [default: mots for a GOO, else jk]",
+    options = (
+        click.option(
+            "--game", type=click.Choice(["jk", "mots"]), default=None,
+            help="The game whose reading applies. [default: mots for a GOO, else jk]",
+        ),
+        click.option(
+            "--config", metavar="FILE", default=None,
+            help="The configuration to use, or none for none. [default: jktools.toml found upward from each PATH]",
+        ),
+        click.option("--strict-grammar", is_flag=True, help="Read every record with the grammar: slow, same result."),
     )  # fmt: skip
-    return game(function)
+    for option in reversed(options):
+        function = option(function)
+    return function

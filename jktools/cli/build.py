@@ -7,9 +7,10 @@ from pathlib import Path
 import click
 
 from jktools.cli.app import common, note, problem
+from jktools.cli.configured import configured, overridden
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
-from jktools.session import Settings, build_all
+from jktools.session import build_all
 from jktools.session.settings import Game
 
 
@@ -21,7 +22,9 @@ from jktools.session.settings import Game
 )  # fmt: skip
 @click.option("-q", "--quiet", is_flag=True, help="Do not list what was written.")
 @common
-def command(paths: tuple[str, ...], out: Path, quiet: bool, game: Game | None) -> int:
+def command(
+    paths: tuple[str, ...], out: Path, quiet: bool, game: Game | None, config: str | None, strict_grammar: bool
+) -> int:
     """Compile every level found to OUT/<name>.jklb.
 
     Levels of the same name from several packs go to OUT/<pack>/<name>.jklb. A JKL without GEORESOURCE, as
@@ -30,8 +33,11 @@ def command(paths: tuple[str, ...], out: Path, quiet: bool, game: Game | None) -
     Exit status: 0 all written, 1 a level cannot be compiled, 2 bad usage or a PATH that cannot be read, 3 a bug in
     jktools.
     """
+    # A level's name in OUT depends on all levels, so one configuration serves them all: that of the first path.
+    _, found = next(configured(paths, config))
+    settings = overridden(found.settings, game, strict_grammar)
     with progress("compiling") as report:
-        built = build_all(paths, out, Settings(game), report)
+        built = build_all(paths, out, settings, report)
     if not quiet:
         for level, target, size in built.written:
             click.echo(f"{level} -> {target} ({size} bytes)")

@@ -9,15 +9,17 @@ from pathlib import Path
 import click
 
 from jktools.cli.app import common, problem
+from jktools.cli.configured import configured, overridden
 from jktools.cli.progress import progress
 from jktools.cli.status import Status, of_findings
 from jktools.diagnostics import Severity
 from jktools.emit import json as json_format
 from jktools.emit import text as text_format
 from jktools.linter import UnknownRuleError
-from jktools.session import Batch, Settings, check
-from jktools.session.batch import write_atomically
+from jktools.session import Batch, check
+from jktools.session.config import FailOn
 from jktools.session.settings import Game
+from jktools.session.write import write_atomically
 
 
 @click.command("lint")
@@ -29,9 +31,8 @@ from jktools.session.settings import Game
 @click.option(
     "--fail-on",
     type=click.Choice(["error", "warning", "info", "never"]),
-    default="warning",
-    show_default=True,
-    help="The least severity that makes the exit status 1.",
+    default=None,
+    help="The least severity that makes the exit status 1. [default: warning]",
 )
 @click.option("--color", type=click.Choice(["auto", "always", "never"]), default="auto", show_default=True)
 @common
@@ -41,28 +42,37 @@ def command(
     output: Path | None,
     select: tuple[str, ...],
     ignore: tuple[str, ...],
-    fail_on: str,
+    fail_on: FailOn | None,
     color: str,
     game: Game | None,
+    config: str | None,
+    strict_grammar: bool,
 ) -> int:
     """Find what is wrong with levels.
 
-    PATH is a level, a folder, a GOB or GOO, or one member as pack.gob!jkl/x.jkl.
+    PATH is a level, a folder, a GOB, GOO or zip, or what lies in one: pack.gob!jkl/x.jkl, site.zip!mods/pack.gob.
 
     Exit status: 0 clean, 1 findings at or above --fail-on, 2 bad usage or a PATH that cannot be read, 3 a bug in
     jktools.
     """
-    settings = Settings(game, _split(select), _split(ignore))
+    whole, status = Batch(), Status.CLEAN
     try:
         with progress("linting") as report:
-            batch = check(paths, settings, report)
+            for group, found in configured(paths, config):
+                settings = overridden(found.settings, game, strict_grammar, _split(select), _split(ignore))
+                batch = check(group, settings, report)
+                status = max(status, of_findings(batch.diagnostics, _threshold(fail_on or found.fail_on)))
+                whole = whole.joined(batch)
     except UnknownRuleError as error:
         raise click.UsageError(str(error)) from error
-    _write(batch, form, output, color)
-    for message in batch.problems:
+    _write(whole, form, output, color)
+    for message in whole.problems:
         problem(message)
-    threshold = None if fail_on == "never" else Severity[fail_on.upper()]
-    return max(of_findings(batch.diagnostics, threshold), Status.USAGE if batch.problems else Status.CLEAN)
+    return max(status, Status.USAGE if whole.problems else Status.CLEAN)
+
+
+def _threshold(fail_on: FailOn) -> Severity | None:
+    return None if fail_on == "never" else Severity[fail_on.upper()]
 
 
 def _split(words: tuple[str, ...]) -> tuple[str, ...]:

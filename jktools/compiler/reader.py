@@ -24,6 +24,9 @@ FORMAT_MAJOR, FORMAT_MINOR = 1, 0
 IDENTIFIER = b"JKLB"
 _SMALLEST = 8
 
+ALWAYS = ("resources", "geometry")
+"""Sections that every level has."""
+
 
 class Section:
     """The columns of one section by name: `(n,)` or `(n, width)` views, read-only."""
@@ -62,7 +65,8 @@ class CompiledLevel:
         self.data = memoryview(data)
         self._root = self._checked_root(verify)
         arrays = {name: self._columns(name) for name in SECTIONS if self._table(name) is not None}
-        fault = first_fault(arrays, self._root.StringsLength())
+        missing = next((name for name in ALWAYS if name not in arrays), None)
+        fault = f"has no {missing}" if missing else first_fault(arrays, self._root.StringsLength())
         if fault:
             raise CompiledFileError(f"cannot read {path}: the file is damaged") from ValueError(fault)
         self.sections: Mapping[str, Section] = {name: Section(columns) for name, columns in arrays.items()}

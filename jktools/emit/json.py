@@ -10,6 +10,7 @@ import msgspec
 from jktools import __version__
 from jktools.compiler import CompiledLevel
 from jktools.diagnostics import Diagnostic, Label, Severity
+from jktools.source import Container
 
 VERSION = 1
 """Of the shape of this output; grows when a reader would have to change."""
@@ -52,6 +53,17 @@ def compiled(level: CompiledLevel) -> str:
             "sections": sections,
             "counts": level.counts,
             "passes": level.passes,
+        }
+    )
+
+
+def pack(container: Container) -> str:
+    """What `pack list` says of a container, in its own order."""
+    return _dump(
+        {
+            "version": VERSION,
+            "path": container.path,
+            "files": [{"name": m.name, "size": m.size, "declared": m.declared} for m in container.members],
         }
     )
 

@@ -71,17 +71,17 @@ def _excerpt(label: Label, arrow: str, gutter: int, paint: object) -> Iterator[s
 
 
 def _window(span: Span) -> tuple[str, int, int]:
-    """The part of the first line to show (tabs as blanks), and the place and width of the mark in it."""
-    line, column = span.first
-    text = span.source.line(line).replace("\t", " ")
-    text = "".join(c if c.isprintable() else "?" for c in text)
-    last = span.last
-    stop = last.column if last.line == line else len(text) + 1
-    at, width = column - 1, max(1, stop - column)
-    start = 0
-    if len(text) > MOST_COLUMNS:
-        start = max(0, min(at - LEAD, len(text) - MOST_COLUMNS))
-        text = ("..." if start else "") + text[start : start + MOST_COLUMNS] + "..."
-        at += 3 if start else 0
-    at -= start
-    return text, at, max(1, min(width, len(text) - at))
+    """The part of the first line to show (tabs as blanks), and the place and width of the mark in it.
+
+    Only what is shown is ever copied: a line may be as long as a file.
+    """
+    whole = span.source.line_span(span.first.line)
+    begin, end = whole.start, whole.end
+    if end - begin > MOST_COLUMNS:
+        begin = max(begin, min(span.start - LEAD, end - MOST_COLUMNS))
+        end = min(end, begin + MOST_COLUMNS)
+    text = "".join(c if c.isprintable() else " " if c == "\t" else "?" for c in span.source.span(begin, end).text)
+    before, after = "..." * (begin > whole.start), "..." * (end < whole.end)
+    at = span.start - begin + len(before)
+    width = min(span.end, end) - span.start
+    return before + text + after, at, max(1, width)

@@ -1,1 +1,1 @@
-"""What the game does: the rules of the engine, one module a system, in profiles."""
+"""What the game does: pure functions over numpy arrays, one module a system, in two profiles."""

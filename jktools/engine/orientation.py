@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.engine.bounds import Float64, bounded
+from jktools.engine.degrees import sine_cosine
 
 GIMBAL_COSINE = 1e-8
 """Cosine of pitch below which yaw and roll count as turning about one axis. Taking them for one costs this
@@ -32,31 +33,15 @@ class Creation(enum.StrEnum):
 def matrix(angles: npt.ArrayLike) -> Float64:
     """Build look matrices from pitch, yaw, roll: `(..., 3) -> (..., 3, 3)`; Rz(yaw) Rx(pitch) Ry(roll).
 
-    Roll acts first, then pitch, then yaw (rdMatrix_BuildRotate34). Multiples of 90 degrees are exact.
+    Roll acts first, then pitch, then yaw (rdMatrix_BuildRotate34). Multiples of 90 degrees are
+    exact, and the bits are the same on every machine.
     """
     pitch, yaw, roll = np.moveaxis(bounded(angles), -1, 0)
-    (sp, cp), (sy, cy), (sr, cr) = _sine_cosine(pitch), _sine_cosine(yaw), _sine_cosine(roll)
+    (sp, cp), (sy, cy), (sr, cr) = map(sine_cosine, (pitch, yaw, roll))
     right = (cr * cy - sr * sy * sp, cr * sy + sr * cy * sp, -sr * cp)
     look = (-sy * cp, cy * cp, sp)
     up = (sr * cy + cr * sy * sp, sr * sy - cr * cy * sp, cr * cp)
     return np.stack([np.stack(column, axis=-1) for column in (right, look, up)], axis=-1)
-
-
-def _sine_cosine(degrees: Float64) -> tuple[Float64, Float64]:
-    """Sine and cosine with the quarter turns taken off first, where degrees are still exact."""
-    quarter = np.round(np.fmod(degrees, 360.0) / 90.0)
-    rest = np.deg2rad(np.fmod(degrees, 360.0) - 90.0 * quarter)
-    turn = np.mod(quarter, 4)
-    sine, cosine = np.sin(rest), np.cos(rest)
-    return (
-        np.choose(_index(turn), [sine, cosine, -sine, -cosine]),
-        np.choose(_index(turn), [cosine, -sine, -cosine, sine]),
-    )
-
-
-def _index(turn: Float64) -> npt.NDArray[np.intp]:
-    # A NaN angle takes any branch: its sine and cosine are NaN in all four.
-    return np.nan_to_num(turn).astype(np.intp)
 
 
 def angles(matrices: npt.ArrayLike) -> Float64:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from jktools.diagnostics import Diagnostic, Label, Subject
+from jktools.diagnostics import MALFORMED_SUPPRESSION, UNUSED_SUPPRESSION, Diagnostic, Label, Subject
+from jktools.diagnostics.suppression import apply, suppressions
 from jktools.facts import LevelFacts
-from jktools.linter.registry import rules
+from jktools.linter.registry import UnknownRuleError, find_rule, rules
 from jktools.linter.rule import RULE_FAILED, Options, Rule
 from jktools.model import Level
 
@@ -26,7 +27,27 @@ def lint(
     options = options or {}
     running = [r for r in rules() if r.on] if chosen is None else chosen
     found = [d for each in running for d in _run(each, level, facts, options.get(each.code.id))]
-    return sorted(found, key=lambda d: d.sort_key)
+    return sorted(_suppressed(level, found, running), key=lambda d: d.sort_key)
+
+
+def _suppressed(level: Level, found: list[Diagnostic], running: Sequence[Rule]) -> list[Diagnostic]:
+    """Hide what the level's comments hide, and tell of comments that do not work; rules choose what is told."""
+    comments, faults = suppressions(level.source)
+    ran = [each.code for each in running]
+    for comment in comments:
+        for code in comment.codes:
+            try:
+                find_rule(code)
+            except UnknownRuleError as error:
+                faults.append(
+                    Diagnostic(
+                        MALFORMED_SUPPRESSION, MALFORMED_SUPPRESSION.severity, Label(comment.span),
+                        str(error), "name a rule by its code or name",
+                    )
+                )  # fmt: skip
+    kept = apply(found, comments, ran)
+    by_comments = {UNUSED_SUPPRESSION, MALFORMED_SUPPRESSION}
+    return [d for d in (*kept, *faults) if d.code not in by_comments or d.code in ran]
 
 
 def _run(each: Rule, level: Level, facts: LevelFacts, options: Options | None) -> Iterator[Diagnostic]:

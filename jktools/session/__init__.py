@@ -1,7 +1,22 @@
 """The calls that Python and the command line share."""
 
 from jktools.session.batch import Batch, Built, build_all, check
+from jktools.session.config import Config, ConfigError, find_config, load_config
 from jktools.session.levels import discover, game_of, load
-from jktools.session.settings import Settings
+from jktools.session.settings import Ignore, Settings
 
-__all__ = ["Batch", "Built", "Settings", "build_all", "check", "discover", "game_of", "load"]
+__all__ = [
+    "Batch",
+    "Built",
+    "Config",
+    "ConfigError",
+    "Ignore",
+    "Settings",
+    "build_all",
+    "check",
+    "discover",
+    "find_config",
+    "game_of",
+    "load",
+    "load_config",
+]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
@@ -11,8 +9,10 @@ from pathlib import Path, PurePosixPath
 from jktools.compiler import CompileError, compile_level
 from jktools.diagnostics import Diagnostic
 from jktools.linter import Selection, lint, select
+from jktools.session.ignores import unused_ignores, with_settings
 from jktools.session.levels import discover, read_level
 from jktools.session.settings import Settings
+from jktools.session.write import write_atomically
 from jktools.source import InputError, Member
 
 Progress = Callable[[int, int, str], None]
@@ -34,6 +34,11 @@ class Batch:
     problems: list[str] = field(default_factory=list)
     """Paths that could not be read, one sentence each."""
 
+    def joined(self, other: Batch) -> Batch:
+        """This batch and another as one, in order."""
+        found = sorted([*self.diagnostics, *other.diagnostics], key=lambda d: d.sort_key)
+        return Batch(found, self.files + other.files, [*self.problems, *other.problems])
+
     def __iter__(self) -> Iterator[Diagnostic]:
         return iter(self.diagnostics)
 
@@ -51,15 +56,20 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     rules = select(Selection(settings.select, settings.ignore))
     batch = Batch()
     members = _members(paths, batch.problems)
+    used: set[int] = set()
+    seen: list[str] = []
     for done, member in enumerate(members):
         progress(done, len(members), member.path)
         try:
-            level = read_level(member, settings.game)
+            level = read_level(member, settings)
         except InputError as error:
             batch.problems.append(str(error))
             continue
         batch.files += 1
-        batch.diagnostics += lint(level, rules)
+        found = lint(level, rules, options=settings.options)
+        batch.diagnostics += with_settings(found, settings, used)
+        seen.append(member.path)
+    batch.diagnostics += unused_ignores(settings, used, seen, [r.code.id for r in rules])
     batch.diagnostics.sort(key=lambda d: d.sort_key)
     return batch
 
@@ -69,7 +79,7 @@ def _members(paths: Sequence[str], problems: list[str]) -> list[Member]:
     members: dict[str, Member] = {}
     for path in paths:
         try:
-            for member in discover(path):
+            for member in discover(path, problems):
                 members.setdefault(member.path, member)
         except InputError as error:
             problems.append(str(error))
@@ -102,7 +112,7 @@ def build_all(paths: Sequence[str], out: Path, settings: Settings | None = None,
     for done, (member, target) in enumerate(zip(members, targets, strict=True)):
         progress(done, len(members), member.path)
         try:
-            level = read_level(member, settings.game)
+            level = read_level(member, settings)
         except InputError as error:
             built.problems.append(str(error))
             continue
@@ -142,29 +152,3 @@ def _pack(member: Member) -> str:
     """Name of the pack or folder that holds a level."""
     container = member.path[: len(member.path) - len(member.name)].rstrip("!/")
     return PurePosixPath(container).name or "level"
-
-
-def write_atomically(target: Path, data: bytes) -> None:
-    """Write beside the target, flush, then rename: a crash never leaves half a file. Raises InputError."""
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}-")
-        fresh = Path(name)
-        try:
-            with os.fdopen(handle, "wb") as stream:
-                stream.write(data)
-                stream.flush()
-                os.fsync(stream.fileno())
-            fresh.chmod(0o666 & ~_umask())
-            fresh.replace(target)
-        except BaseException:
-            fresh.unlink(missing_ok=True)
-            raise
-    except OSError as error:
-        raise InputError(f"cannot write {target}: {(error.strerror or str(error)).lower()}") from error
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

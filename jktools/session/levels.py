@@ -5,32 +5,41 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from jktools.model import Level
-from jktools.session.settings import Game
-from jktools.source import Container, Gob, InputError, Member, Target, resolve
+from jktools.session.settings import Game, Settings
+from jktools.source import PACK_EXTENSIONS, Container, Folder, InputError, Member, Target, Zip, enter, resolve
 from jktools.source.container import PACK_SEPARATOR
-from jktools.source.path import PACK_EXTENSIONS
 from jktools.syntax.jkl import read
 
 LEVEL_EXTENSION = "jkl"
 
 
-def discover(typed: str) -> list[Member]:
-    """The levels that a path names, in the container's order; packs inside a folder are entered.
+def discover(typed: str, problems: list[str] | None = None) -> list[Member]:
+    """The levels that a path names, in the container's order; packs in folders and in zips are entered.
 
-    Raises InputError when the path cannot be opened or holds no level.
+    A pack inside that cannot be opened is told in `problems`, one sentence, and the rest is read; without `problems`
+    it raises. Raises InputError when the path itself cannot be opened or holds no level.
     """
-    levels = list(_levels(resolve(typed)))
-    if not levels:
+    inside: list[str] = []
+    levels = list(_levels(resolve(typed), inside))
+    if problems is None and inside:
+        raise InputError(inside[0])
+    if not levels and not inside:
         raise InputError(f"nothing to read in {typed}: expected a .jkl level, or a folder or pack that holds one")
+    if problems is not None:
+        problems += inside
     return levels
 
 
-def _levels(target: Target) -> Iterator[Member]:
+def _levels(target: Target, problems: list[str]) -> Iterator[Member]:
     for member in target.members if isinstance(target, Container) else [target]:
         if member.extension == LEVEL_EXTENSION:
             yield member
-        elif member.extension in PACK_EXTENSIONS and not isinstance(target, Gob):
-            yield from _levels(resolve(member.path))
+        # The game opens no pack inside a GOB; by its path one can be read all the same.
+        elif member.extension in PACK_EXTENSIONS and isinstance(target, (Folder, Zip)):
+            try:
+                yield from _levels(enter(target, member), problems)
+            except InputError as error:
+                problems.append(str(error))
 
 
 def game_of(member: Member, chosen: Game | None) -> Game:
@@ -41,9 +50,10 @@ def game_of(member: Member, chosen: Game | None) -> Game:
     return "mots" if pack.lower().endswith(".goo") else "jk"
 
 
-def read_level(member: Member, chosen: Game | None) -> Level:
+def read_level(member: Member, settings: Settings) -> Level:
     """Read one level. Raises InputError when the file cannot be opened; its faults are in `diagnostics`."""
-    return Level(read(member.read(), game_of(member, chosen)))
+    game = game_of(member, settings.game)
+    return Level(read(member.read(), game, strict_grammar=settings.strict_grammar))
 
 
 def load(path: str, game: Game | None = None) -> Level:
@@ -55,7 +65,7 @@ def load(path: str, game: Game | None = None) -> Level:
     levels = discover(path)
     if len(levels) > 1:
         raise InputError(f"{path} holds {len(levels)} levels: name one of {_listed(m.path for m in levels)}")
-    level = read_level(levels[0], game)
+    level = read_level(levels[0], Settings(game))
     if not level.document.sections:
         raise InputError(f"cannot read {levels[0].path}: it has no SECTION: lines, so it is no level")
     return level

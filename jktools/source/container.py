@@ -19,7 +19,7 @@ def canonical(name: str) -> str:
     return name.replace("\\", "/").strip("/").lower()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Member:
     """One file of a container, not yet read."""
 
@@ -32,9 +32,13 @@ class Member:
     declared: int
     """Bytes that the container's directory claims."""
     _read: Callable[[], bytes | memoryview]
+    place: Path | None = None
+    """Where it lies on disk, unless it is in a pack."""
+    stored: bytes | None = None
+    """The name as a GOB's directory stores it, with what its padding holds; None elsewhere."""
 
     def read(self) -> Source:
-        """Map or read the file. Raises InputError when it cannot be opened."""
+        """Read the file. Raises InputError when it cannot be opened, or a zip holds it damaged."""
         return Source(self.path, self._read(), self.name, self.declared)
 
     @property
@@ -88,7 +92,7 @@ def file_member(path: Path, shown: str, name: str) -> Member:
         size = path.stat().st_size
     except OSError as error:
         raise InputError(f"cannot read {shown}: {describe(error)}") from error
-    return Member(shown, name, size, size, lambda: read_file(path, shown))
+    return Member(shown, name, size, size, lambda: read_file(path, shown), path)
 
 
 class Folder(Container):

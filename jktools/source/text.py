@@ -60,11 +60,17 @@ class Source:
         """Byte offset at which a line (from 1) starts."""
         return self._line_starts[line - 1]
 
-    def line(self, line: int) -> str:
+    def line_span(self, line: int) -> Span:
         """A physical line (from 1) without its line end."""
-        starts = self._line_starts
+        start, starts = self._line_starts[line - 1], self._line_starts
         end = starts[line] if line < len(starts) else len(self.data)
-        return str(self.data[starts[line - 1] : end], "latin-1").rstrip("\r\n")
+        while end > start and self.data[end - 1] in b"\r\n":
+            end -= 1
+        return self.span(start, end)
+
+    def line(self, line: int) -> str:
+        """The text of a physical line (from 1) without its line end."""
+        return self.line_span(line).text
 
     def span(self, start: int, end: int) -> Span:
         """The bytes from `start` up to, not including, `end`."""

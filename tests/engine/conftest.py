@@ -1,4 +1,4 @@
-"""The research document's numbers, read once."""
+"""The golden numbers of the research document."""
 
 import tomllib
 from pathlib import Path
@@ -9,4 +9,5 @@ import pytest
 
 @pytest.fixture(scope="session")
 def golden() -> dict[str, Any]:
-    return tomllib.loads(Path(__file__).with_name("golden.toml").read_text())
+    """Give `golden.toml`."""
+    return tomllib.loads((Path(__file__).parent / "golden.toml").read_text())

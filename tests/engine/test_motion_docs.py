@@ -16,7 +16,7 @@ from tests.engine.motion_checks import Check
 from tests.engine.test_golden_motion import CHECKS
 from tests.support.levels import ROOT
 
-PAGE = (ROOT / "docs/engine.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs/engine.md").read_text(encoding="utf-8").split("## Motion\n")[1].split("\n## ")[0] + "\n"
 
 
 def test_tests_that_it_names_exist() -> None:
@@ -51,7 +51,7 @@ def test_plots_are_there_and_made_by_the_code(tmp_path: Path) -> None:
 
     names = {f"{plot.__name__}.svg" for plot in engine_plots.PLOTS}
     assert set(re.findall(r"\(engine/(\w+\.svg)\)", PAGE)) == names
-    assert {path.name for path in (ROOT / "docs/engine").iterdir()} == names
+    assert names <= {path.name for path in (ROOT / "docs/engine").iterdir()}
     # Bytes depend on matplotlib's version: here only that a drawing is reproducible, and its longest line the kept one.
     for plot in (engine_plots.changeover, engine_plots.bump):
         (tmp_path / "again").mkdir(exist_ok=True)

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import re
 import subprocess
+import tomllib
 from pathlib import Path
 
+from jktools.linter import find_rule
 from tests.support.levels import ROOT
 from tools.generate import generate
+from tools.rule_pages import PRECISION, count_corpus
 
 
 def tracked() -> list[Path]:
@@ -21,6 +24,19 @@ def test_generated_files_are_current(tmp_path: Path) -> None:
     for path in made:
         kept = ROOT / path.relative_to(tmp_path)
         assert kept.read_bytes() == path.read_bytes(), f"{kept}: run make generate"
+
+
+def test_the_counts_over_the_corpus_are_current(corpus: Path, tmp_path: Path) -> None:
+    made = count_corpus(tmp_path)
+    assert (ROOT / made.relative_to(tmp_path)).read_text() == made.read_text(), "run make counts"
+
+
+def test_every_rule_that_is_on_is_precise_where_it_was_read() -> None:
+    judged = tomllib.loads((ROOT / PRECISION).read_text())
+    for code, verdict in judged.items():
+        rule = find_rule(code)
+        assert verdict["true"] <= verdict["read"]
+        assert not rule.on or verdict["true"] >= 0.95 * verdict["read"], code
 
 
 def test_no_file_names_a_machine() -> None:

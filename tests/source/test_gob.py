@@ -1,18 +1,19 @@
 from __future__ import annotations
 
 import struct
+import tracemalloc
 from pathlib import Path
 
 import pytest
 
-from jktools.source import Gob, InputError
+from jktools.source import Gob, InputError, PackBytes
 from tests.support.levels import gob_of
 
 
 def pack(tmp_path: Path, data: bytes) -> Gob:
     path = tmp_path / "p.gob"
     path.write_bytes(data)
-    return Gob("p.gob", path)
+    return Gob(PackBytes.mapped("p.gob", path))
 
 
 def test_names_are_found_whatever_their_case_and_slashes(tmp_path: Path) -> None:
@@ -26,10 +27,14 @@ def test_names_are_found_whatever_their_case_and_slashes(tmp_path: Path) -> None
 
 
 def test_a_pack_is_mapped_and_not_loaded(tmp_path: Path) -> None:
-    gob = pack(tmp_path, gob_of([("a.jkl", b"x" * 1000)]))
-    data = gob.members[0].read().data
-    assert data.readonly
-    assert type(data.obj).__name__ == "mmap"
+    path = tmp_path / "p.gob"
+    path.write_bytes(gob_of([("a.jkl", b"x" * 1000), ("b.wav", bytes(50_000_000))]))
+    tracemalloc.start()
+    gob = Gob(PackBytes.mapped("p.gob", path))
+    assert bytes(gob.members[0].read().data) == b"x" * 1000
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 100_000
 
 
 def test_the_first_of_two_equal_names_is_meant(tmp_path: Path) -> None:

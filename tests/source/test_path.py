@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from jktools.source import Folder, Gob, InputError, Member, resolve
+from jktools.source import Folder, Gob, InputError, Member, Zip, resolve
 from tests.support.levels import gob_of
+from tests.support.packs import zip_of
 
 
 @pytest.fixture
@@ -13,7 +14,10 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "mod/jkl").mkdir(parents=True)
     (tmp_path / "mod/jkl/a.jkl").write_bytes(b"A")
-    (tmp_path / "mod/p.gob").write_bytes(gob_of([("jkl\\b.jkl", b"B")]))
+    pack = gob_of([("jkl\\b.jkl", b"B")])
+    (tmp_path / "mod/p.gob").write_bytes(pack)
+    inner = zip_of([("Mods\\P.gob", pack), ("odd.dat", pack), ("a!b.gob", pack), ("read me.txt", b"T")])
+    (tmp_path / "site.zip").write_bytes(zip_of([("In/inner.ZIP", inner), ("jkl/z.jkl", b"Z")]))
     return tmp_path
 
 
@@ -37,7 +41,7 @@ def test_a_folder_lists_its_files_in_order_under_the_path_as_typed(folder: Path)
     assert [m.path for m in found.members] == ["mod/jkl/a.jkl", "mod/p.gob"]
     here = resolve(".")
     assert isinstance(here, Folder)
-    assert [m.path for m in here.members] == ["mod/jkl/a.jkl", "mod/p.gob"]
+    assert [m.path for m in here.members] == ["mod/jkl/a.jkl", "mod/p.gob", "site.zip"]
 
 
 def test_the_longest_prefix_that_exists_wins(folder: Path) -> None:
@@ -52,8 +56,36 @@ def test_a_pack_without_its_extension_is_known_by_its_first_bytes(folder: Path) 
 
 
 @pytest.mark.parametrize(
+    ("typed", "path", "data"),
+    [
+        ("site.zip!JKL/z.jkl", "site.zip!jkl/z.jkl", b"Z"),
+        ("site.zip!in/INNER.zip!mods/p.GOB!JKL\\B.jkl", "site.zip!In/inner.ZIP!Mods/P.gob!jkl/b.jkl", b"B"),
+        ("site.zip!in/inner.zip!odd.dat!jkl/b.jkl", "site.zip!In/inner.ZIP!odd.dat!jkl/b.jkl", b"B"),
+        ("site.zip!in/inner.zip!a!b.gob!jkl/b.jkl", "site.zip!In/inner.ZIP!a!b.gob!jkl/b.jkl", b"B"),
+        ("site.zip!in/inner.zip!odd.dat", "site.zip!In/inner.ZIP!odd.dat", gob_of([("jkl\\b.jkl", b"B")])),
+        ("mod!p.gob!jkl/b.jkl", "mod/p.gob!jkl/b.jkl", b"B"),
+    ],
+)
+def test_each_separator_enters_a_pack_whatever_the_case(folder: Path, typed: str, path: str, data: bytes) -> None:
+    found = member(typed)
+    assert (found.path, bytes(found.read().data)) == (path, data)
+
+
+def test_a_pack_in_a_pack_is_a_pack(folder: Path) -> None:
+    assert isinstance(resolve("site.zip!in/inner.zip"), Zip)
+    found = resolve("site.zip!in/inner.zip!mods/p.gob!")
+    assert isinstance(found, Gob)
+    assert found.path == "site.zip!In/inner.ZIP!Mods/P.gob"
+
+
+@pytest.mark.parametrize(
     ("path", "message"),
     [
+        ("site.zip!in/inner.zip!mods/q.gob!jkl/b.jkl", "no such file in the pack; did you mean Mods/P.gob?"),
+        ("site.zip!in/inner.zip!read me.txt!x", "cannot read site.zip!In/inner.ZIP!read me.txt: not a GOB pack"),
+        ("mod!jkl/b.jkl", "cannot read mod!jkl/b.jkl: no such file in the folder; did you mean jkl/a.jkl?"),
+        ("site.zip!" + "long" * 100, "no such file in the pack"),
+        ("long" * 100, "no such file or folder"),
         ("no.jkl", "cannot read no.jkl: no such file or folder"),
         ("mod/p.gob!jkl/bb.jkl", "no such file in the pack; did you mean jkl/b.jkl?"),
         ("mod/jkl/a.jkl!x", "mod/jkl/a.jkl is not a pack"),

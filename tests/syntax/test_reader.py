@@ -178,6 +178,34 @@ def test_mysteries_of_the_sith_writes_four_intensities_and_an_arch_field() -> No
     assert level.document.arch_lights.light.tolist() == [[1, 0.5, 0.5, 0.5]]
 
 
+def test_the_lights_of_both_editors() -> None:
+    jed = level_of(
+        TWO_ROOMS + "Section: Lights\nEditor lights 1\n0: 0 1 2 3 .5 10 2\nend\n".replace(".5 10 2", ".5 10")
+    )
+    assert jed.diagnostics == ()
+    lights = jed.document.lights
+    assert (lights.position.tolist(), lights.intensity.tolist(), lights.range.tolist()) == ([[1, 2, 3]], [0.5], [10])
+    assert lights.layer.tolist() == [-1]
+    sed = level_of(TWO_ROOMS + "Section: Lights\nEditor lights 1\n0: 1f 2 1 2 3 10 .5 1 0 .25\nend\n").document.lights
+    assert (sed.flags.tolist(), sed.layer.tolist(), sed.position.tolist()) == ([0x1F], [2], [[1, 2, 3]])
+    assert (sed.range.tolist(), sed.intensity.tolist(), sed.color.tolist()) == ([10], [0.5], [[1, 0, 0.25]])
+
+
+def test_what_only_an_editor_reads_is_told_as_information() -> None:
+    level = level_of(TWO_ROOMS + "Section: Lights\nEditor lights 1\n0: 0 1 x 3 .5 10\nend\n")
+    assert [(d.code.id, str(d.severity)) for d in level.diagnostics] == [("JK002", "info")]
+
+
+def test_the_layers_of_sed() -> None:
+    layers = ["Section: Layers", "Editor layers 2", "#name secs things", "Ground floor", "3:\t0\t1", "\t1", "1:\t0"]
+    level = level_of(TWO_ROOMS + "\n".join([*layers, "Attic", "0:", "1:\t1", "", "#Visibility", "11", "end", ""]))
+    assert level.diagnostics == ()
+    assert [(x.name, x.sectors, x.things) for x in level.document.layers] == [
+        ("Ground floor", (0, 1, 1), (0,)),
+        ("Attic", (), (1,)),
+    ]
+
+
 @settings(max_examples=150, deadline=None)
 @given(st.data())
 def test_a_mangled_level_never_crashes(data: st.DataObject) -> None:

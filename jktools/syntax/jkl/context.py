@@ -143,6 +143,10 @@ class Context:
     def record(self, record: Record, line: int, subject: Subject | None) -> Sequence[str] | None:
         """Parse a line with the grammar; None, and a fault told, when the engine could not read it."""
         text = self.lines.text(line)
+        if len(self.diagnostics) >= MOST_FAULTS:
+            # A file of garbage: what is not told need not be explained, and the grammar takes its time.
+            self._untold += 1
+            return record.salvage(text)
         try:
             tokens = record.parse(text)
         except lark.UnexpectedInput as error:

@@ -177,6 +177,28 @@ class ArchLights:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class EditorLights(Table):
+    """Lights of JED or SED, which the engine skips. JED writes no layer (-1); only SED for MotS a colour (else NaN)."""
+
+    flags: UInt32
+    """SED's flags, JED's type."""
+    layer: Int32
+    position: Float32
+    range: Float32
+    intensity: Float32
+    color: Float32
+
+
+@dataclass(frozen=True, slots=True)
+class EditorLayer:
+    """A layer of SED: its name, and the sectors and things in it. The engine skips it."""
+
+    name: str
+    sectors: tuple[int, ...]
+    things: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Header:
     """The HEADER section; what a file does not say stays 0, as in the engine."""
 
@@ -208,6 +230,8 @@ class Document:
     templates: Templates
     things: Things
     arch_lights: ArchLights
+    lights: EditorLights
+    layers: tuple[EditorLayer, ...]
     diagnostics: tuple[Diagnostic, ...]
 
     def field_span(self, record: Record, line: int, ordinal: int) -> Span:

@@ -15,6 +15,7 @@ from jktools.source import Source, Span
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context, quote
 from jktools.syntax.jkl.document import ArchLights, Document, Header, NameList
+from jktools.syntax.jkl.editor import read_layers, read_lights
 from jktools.syntax.jkl.georesource import GeoResource, read_georesource
 from jktools.syntax.jkl.lists import COLORMAPS, SECTIONS, read_list
 from jktools.syntax.jkl.objects import read_cogs, read_templates, read_things
@@ -222,6 +223,8 @@ _READERS: dict[str, Callable[[Context], Any]] = {
     "templates": read_templates,
     "things": read_things,
     "archlighting": _read_arch_lights,
+    "lights": read_lights,
+    "layers": read_layers,
 }
 
 
@@ -255,5 +258,7 @@ def _document(
         templates=parts["templates"],
         things=parts["things"],
         arch_lights=parts["archlighting"],
+        lights=parts["lights"],
+        layers=parts["layers"],
         diagnostics=context.finish(),
     )

@@ -141,6 +141,7 @@ def parse_any(rule: str, text: str) -> tuple[str, list[lark.Token]]:
 START_RULES = (
     "section", "count", "header_line", "sound", "entry", "material", "vertex", "texture_vertex", "adjoin", "surface",
     "normal", "sector_line", "sector_vertex", "cog", "template", "thing", "arch_line",
+    "light_jed", "light_sed", "light_rgb", "layer_members",
 )  # fmt: skip
 
 
@@ -195,6 +196,19 @@ THING = Record(
         Field("sector", Kind.INT),
     ),
     more="*",
+)  # fmt: skip
+
+_PLACE = _fields(Kind.FLOAT, "x, y, z")
+_FLAGS_AND_LAYER = (Field("flags", Kind.HEX), Field("layer", Kind.INT))
+LIGHT_JED = Record(
+    "light_jed", "light", (*_LABEL, Field("type", Kind.HEX), *_PLACE, *_fields(Kind.FLOAT, "intensity, range"))
+)
+LIGHT_SED = Record(
+    "light_sed", "light", (*_LABEL, *_FLAGS_AND_LAYER, *_PLACE, *_fields(Kind.FLOAT, "range, intensity"))
+)
+LIGHT_RGB = Record(
+    "light_rgb", "light",
+    (*_LABEL, *_FLAGS_AND_LAYER, *_PLACE, *_fields(Kind.FLOAT, "range, intensity, red, green, blue")),
 )  # fmt: skip
 
 

@@ -1,0 +1,50 @@
+"""Files that appear whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable
+from pathlib import Path
+
+from jktools.source import InputError
+
+
+def write_atomically(target: Path, data: bytes | memoryview, *, durable: bool = True) -> None:
+    """Write beside the target, flush, then rename: a crash never leaves half a file. Raises InputError.
+
+    Without `durable` that holds for a crash of jktools, but not of the machine, and thousands of small files are
+    written in a tenth of the time (benchmarks/bench_packs.py).
+    """
+    write_parts(target, [data], durable=durable)
+
+
+def write_parts(target: Path, parts: Iterable[bytes | memoryview], *, durable: bool = True) -> int:
+    """Write what comes piece by piece, as atomically, and give how many bytes it was.
+
+    When a piece cannot be made the target stays as it was. Raises InputError.
+    """
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:60]}-")
+        fresh = Path(name)
+        try:
+            with os.fdopen(handle, "wb") as stream:
+                size = sum(stream.write(part) for part in parts)
+                stream.flush()
+                if durable:
+                    os.fsync(stream.fileno())
+            fresh.chmod(0o666 & ~_umask())
+            fresh.replace(target)
+        except BaseException:
+            fresh.unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        raise InputError(f"cannot write {target}: {(error.strerror or str(error)).lower()}") from error
+    return size
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

@@ -1,0 +1,99 @@
+"""Pages of the rules, `docs/rules/`, from the rules themselves, their counts over real levels, and what reading showed.
+
+`docs/rules/corpus.toml` holds the counts: `count_corpus` makes it where the corpus is at hand. `docs/precision.toml` is
+written by people: how many findings of a rule were read in the level, and how many were true.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections import defaultdict
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from jktools.linter import Rule, rules
+from jktools.linter.rule import options_of
+from jktools.session import Settings, check
+
+ROOT = Path(__file__).resolve().parent.parent
+CORPUS = ROOT.parent / "shared" / "corpus"
+COUNTS = "docs/rules/corpus.toml"
+PRECISION = "docs/precision.toml"
+
+
+def count_corpus(into: Path) -> Path:
+    """Count every rule's findings over the corpus, those that are off included."""
+    batch = check([str(CORPUS)], Settings(select=tuple(r.code.id for r in rules())))
+    levels: dict[str, set[str]] = defaultdict(set)
+    findings: dict[str, int] = defaultdict(int)
+    for diagnostic in batch.diagnostics:
+        findings[diagnostic.code.id] += 1
+        levels[diagnostic.code.id].add(diagnostic.path)
+    lines = ["# Made by `make counts` from the corpus of real mods.", f"files = {batch.files}"]
+    for rule in rules():
+        code = rule.code.id
+        lines.append(f"{code} = {{ findings = {findings[code]}, files = {len(levels[code])} }}")
+    target = into / COUNTS
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_text("\n".join(lines) + "\n")
+    return target
+
+
+def rule_pages(into: Path) -> list[Path]:
+    """Write one page a rule and their index."""
+    counts = _table(ROOT / COUNTS)
+    precision = _table(ROOT / PRECISION)
+    folder = into / "docs/rules"
+    folder.mkdir(parents=True, exist_ok=True)
+    made = []
+    for rule in rules():
+        page = folder / f"{rule.code.id}.md"
+        page.write_text("\n".join(_page(rule, counts, precision.get(rule.code.id, {}))) + "\n")
+        made.append(page)
+    index = folder / "README.md"
+    index.write_text("\n".join(_index(counts)) + "\n")
+    return [*made, index]
+
+
+def _table(path: Path) -> dict[str, Any]:
+    return tomllib.loads(path.read_text()) if path.exists() else {}
+
+
+def _index(counts: dict[str, Any]) -> Iterator[str]:
+    yield "# Rules"
+    yield ""
+    yield f"Findings are counted over {counts.get('files', 0)} real JKL files; rules that are off run when selected."
+    yield ""
+    yield "| code | name | severity | findings | in files | reports |"
+    yield "|---|---|---|---|---|---|"
+    for rule in rules():
+        count = counts.get(rule.code.id, {})
+        state = str(rule.code.severity) + ("" if rule.on else ", off")
+        yield (
+            f"| [{rule.code.id}]({rule.code.id}.md) | {rule.code.name} | {state} | {count.get('findings', '')} "
+            f"| {count.get('files', '')} | {rule.summary.removeprefix('Report ')} |"
+        )
+
+
+def _page(rule: Rule, counts: dict[str, Any], precision: dict[str, Any]) -> Iterator[str]:
+    yield f"# {rule.code.id} {rule.code.name}"
+    yield ""
+    state = "on" if rule.on else "off unless selected"
+    yield f"{str(rule.code.severity).capitalize()}, {state}, since {rule.since}."
+    yield ""
+    yield rule.docs.rstrip()
+    options = options_of(rule)
+    if options:
+        yield ""
+        yield "## Options"
+        for option in options:
+            yield f"- `{option.name} = {option.default}`: {option.description}"
+    count = counts.get(rule.code.id)
+    if count:
+        yield ""
+        yield "## On real levels"
+        yield f"{count['findings']} findings in {count['files']} of {counts['files']} files."
+    if precision:
+        verdict = f"Of {precision['read']} read in the level, {precision['true']} were true."
+        yield f"{verdict} {precision.get('note', '')}".strip()
