@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from jktools.engine import drag
+from jktools.engine.arrays import Float64
 from jktools.engine.body import WALKPLAYER
-from jktools.engine.bounds import Float64
 from jktools.engine.gravity import WORLD_GRAVITY
 from jktools.engine.integration import TRAITS, Motion, Scheme, closed_form, step
 

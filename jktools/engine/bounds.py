@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-Float64 = npt.NDArray[np.float64]
+from jktools.engine.arrays import Float64
 
 LIMIT = 1e30
 """Greatest magnitude that a rule computes with, and 1 / LIMIT the least, in the unit of the input.

@@ -11,8 +11,9 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from jktools.engine.arrays import Float64
 from jktools.engine.body import Body
-from jktools.engine.bounds import Float64, bounded
+from jktools.engine.bounds import bounded
 from jktools.engine.flags import PhysicsFlag, SectorFlag
 from jktools.engine.profile import Engine
 from jktools.engine.thrust import Support

@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.bounds import Float64, bounded
+from jktools.engine.arrays import Float64
+from jktools.engine.bounds import bounded
 from jktools.engine.profile import Engine
 
 LEAST_CLEARANCE = 0.005

@@ -19,7 +19,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.bounds import Float64, bounded
+from jktools.engine.arrays import Float64
+from jktools.engine.bounds import bounded
 
 
 class Scheme(enum.StrEnum):

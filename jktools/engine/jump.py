@@ -11,8 +11,9 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from jktools.engine.arrays import Float64
 from jktools.engine.body import Body
-from jktools.engine.bounds import Float64, bounded
+from jktools.engine.bounds import bounded
 from jktools.engine.flags import SurfaceFlag
 from jktools.engine.gravity import WORLD_GRAVITY
 from jktools.engine.integration import closed_form

@@ -12,7 +12,8 @@ import enum
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.bounds import Float64, bounded
+from jktools.engine.arrays import Float64
+from jktools.engine.bounds import bounded
 from jktools.engine.degrees import sine_cosine
 
 GIMBAL_COSINE = 1e-8

@@ -12,7 +12,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.bounds import LIMIT, Float64, bounded
+from jktools.engine.arrays import Float64
+from jktools.engine.bounds import LIMIT, bounded
 from jktools.engine.hover import CROUCHED_INSERT_OFFSET, LEAST_CLEARANCE, SETTLING_SPEED, hover_height
 from jktools.engine.profile import Engine
 

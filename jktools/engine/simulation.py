@@ -15,9 +15,9 @@ from typing import NamedTuple
 import numpy as np
 
 from jktools.engine import attachment, drag, gravity, hover, integration, jump, reattach
+from jktools.engine.arrays import Float64
 from jktools.engine.attachment import Event
 from jktools.engine.body import Body
-from jktools.engine.bounds import Float64
 from jktools.engine.flags import PhysicsFlag, SectorFlag, SurfaceFlag
 from jktools.engine.ground import TOUCH, UP, Contact, Floor, Ground, Steps, Vector
 from jktools.engine.integration import Scheme

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from jktools.engine.arrays import Float64
 from jktools.engine.body import Body
-from jktools.engine.bounds import Float64, bounded, length
+from jktools.engine.bounds import bounded, length
 from jktools.engine.flags import PhysicsFlag, SurfaceFlag
 from jktools.engine.profile import Engine
 

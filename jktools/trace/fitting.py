@@ -22,7 +22,7 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.engine import integration
-from jktools.engine.bounds import Float64
+from jktools.engine.arrays import Float64
 from jktools.engine.integration import Scheme
 from jktools.trace.recording import Recording
 

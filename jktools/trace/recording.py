@@ -21,7 +21,7 @@ from pathlib import Path
 
 import numpy as np
 
-from jktools.engine.bounds import Float64
+from jktools.engine.arrays import Float64
 
 RAW_SUFFIXES = frozenset({".bin", ".dat"})
 RAW_RECORD = np.dtype([("time", "<f4"), ("thrust", "<f4", 3), ("velocity", "<f4", 3)])

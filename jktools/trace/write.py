@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from jktools.engine.bounds import Float64
+from jktools.engine.arrays import Float64
 from jktools.engine.simulation import History
 from jktools.trace.recording import Recording
 
