@@ -208,20 +208,18 @@ def stationary_bodies_notice_nothing(golden: Golden) -> None:
 @holds("reattach.bump")
 def settling_bump(golden: Golden) -> None:
     assert golden["reattach"]["bump"] == "settles twice, at depth 0.11 too"
-    slow = changed(maxthrust=0.6)  # "gingerly": 0.2 JKU/s
     for engine in Engine:
-        crossed = run(
-            [Phase(0, WALK)],
-            3.0,
-            dt=0.01,
-            of=slow,
-            start=(0, -0.05, 0),
-            ground=Steps.pit(0.11),
-            engine=engine,
-        )
-        sinking = np.abs(np.diff(crossed.position[:, 2]) + 0.5 * 0.01) < 1e-9
-        starts = np.flatnonzero(np.diff(np.concatenate([[False], sinking])) & sinking)
-        assert crossed.attached.all()
-        # Twice at the full 0.5 JKU/s: down to the pit's edge, off it by the sphere, and down to the floor.
-        assert len(starts) == 2
-        assert crossed.position[-1, 2] == exactly(0.120114 - 0.11)
+        # Twice at the full 0.5 JKU/s: down to the pit's edge, off it by the sphere, and down to the floor. "Gingerly":
+        # at 0.2 JKU/s; a walk clears the edge before it gets down to it.
+        assert _settlings(0.2, engine) == 2
+        assert _settlings(2 / 3, engine) == 1
+
+
+def _settlings(speed: float, engine: Engine) -> int:
+    """How often a body that crosses into a pit of 0.11 takes to sinking at the full speed."""
+    of, pit = changed(maxthrust=3 * speed), Steps.pit(0.11)
+    crossed = run([Phase(0, WALK)], 3.0, dt=0.01, of=of, start=(0, -0.05, 0), ground=pit, engine=engine)
+    assert crossed.attached.all()
+    assert crossed.position[crossed.position[:, 1] < 1.9][-1, 2] == exactly(0.120114 - 0.11)
+    sinking = np.abs(np.diff(crossed.position[:, 2]) + 0.5 * 0.01) < 1e-9
+    return int(np.count_nonzero(np.diff(np.concatenate([[False], sinking])) & sinking))

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from jktools.cli import main
-from jktools.engine import drag, hover, reattach
+from jktools.engine import drag, hover, jump, reattach
+from jktools.engine.body import WALKPLAYER
 from jktools.engine.integration import TRAITS, Scheme
 from jktools.engine.profile import Engine
 from tests.engine.motion_checks import Check
@@ -43,6 +44,20 @@ def test_states_the_figures_of_the_code() -> None:
     assert f"takes {float(hover.landing_seconds(0.3, 0.065)):.2f} s" in " ".join(PAGE.split())
     limits = [float(reattach.reattach_distance(0.01, 0.065, engine=engine)) for engine in Engine]
     assert "| 0.01, 0.06 | {:.3f} | {:.3f} |".format(*limits) in PAGE
+
+
+def test_states_the_figures_of_a_jump() -> None:
+    top, low = jump.apex(1.5, 0.5), jump.apex(1.05, 0.5)
+    back = float(jump.flight_seconds(1.5, 0.0, 0.5))
+    far = [float(jump.reach(WALKPLAYER, speed, steering=0.6)) for speed in (2 / 3, 4 / 3)]
+    drops = np.arange(1.0, 4.0, 0.001)
+    harm = jump.fall_damage(jump.landing_speed(drops, 0.0, 0.5))
+    first, dead = (float(drops[np.argmax(harm >= points)]) for points in (1.0, 100.0))
+    page = " ".join(PAGE.split())
+    assert f"{top.height:.3f} JKU high after {top.seconds:.3f} s, back after {back:.3f} s" in page
+    assert f"{far[0]:.2f} JKU far from a walk and {far[1]:.2f} from a run" in page
+    assert f"crouched {low.height:.3f} JKU high" in page
+    assert f"from a drop of {first:.2f} JKU on; 100 points at {dead:.2f}" in page
 
 
 def test_plots_are_there_and_made_by_the_code(tmp_path: Path) -> None:

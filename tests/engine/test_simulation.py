@@ -151,13 +151,20 @@ def test_stairs_agree_with_the_lag_formula(engine: Engine, keys: Keys, thrust: f
 
 
 @pytest.mark.parametrize("engine", Engine)
-@pytest.mark.parametrize(("rise", "climbs"), [(0.05, True), (0.055, True), (0.125, False), (0.3, False)])
-def test_steps_up(rise: float, climbs: bool, engine: Engine) -> None:
+@pytest.mark.parametrize("keys", [WALK, RUN])
+@pytest.mark.parametrize(
+    ("rise", "climbs"),
+    [(0.05, True), (0.055, True), (0.06, True), (0.08, False), (0.1, False), (0.125, False), (0.3, False)],
+)
+def test_steps_up(rise: float, climbs: bool, keys: Keys, engine: Engine) -> None:
     kerb = Steps((Tread(-1.0, 0.0), Tread(0.5, rise)))
-    walked = run([Phase(0, WALK)], 3.0, ground=kerb, engine=engine)
+    walked = run([Phase(0, keys)], 3.0, ground=kerb, engine=engine)
     assert bool(walked.position[-1, 1] > 1.0) is climbs
     assert walked.attached.all()
-    assert walked.position[-1, 2] == exactly(0.120114 + (rise if climbs else 0.0))
+    if climbs:
+        assert walked.position[-1, 2] == exactly(0.120114 + rise)
+    # Against a lip it hangs a little above its hover height, held by the edge; never by as much as the rise.
+    assert walked.position[-1, 2] < 0.120114 + rise + 1e-9
 
 
 class Slope:
