@@ -2,6 +2,9 @@
 
 Sources: research document, "Attachment / Flags" (Tables 15 and 16); the decompiled engine for what it does
 with them.
+
+Enumerations of bits, not flag types: they are masks for plain flag words, and an IntFlag builds an object at every
+test of a bit, which was a tenth of a simulated tick.
 """
 
 from __future__ import annotations
@@ -9,7 +12,7 @@ from __future__ import annotations
 import enum
 
 
-class SurfaceFlag(enum.IntFlag):
+class SurfaceFlag(enum.IntEnum):
     """Surface flags (`surfflags` of a JKL surface) that change how a body moves."""
 
     FLOOR = 0x1
@@ -22,7 +25,7 @@ class SurfaceFlag(enum.IntFlag):
     VERY_DEEP_WATER = 0x100000
 
 
-class SectorFlag(enum.IntFlag):
+class SectorFlag(enum.IntEnum):
     """Sector flags that change how a body moves."""
 
     NO_GRAVITY = 0x1
@@ -30,7 +33,7 @@ class SectorFlag(enum.IntFlag):
     THRUST = 0x8
 
 
-class PhysicsFlag(enum.IntFlag):
+class PhysicsFlag(enum.IntEnum):
     """Physics flags (`physflags` of a template). Where the community's documents differ, the engine is followed."""
 
     GRAVITY = 0x1
@@ -53,14 +56,14 @@ class PhysicsFlag(enum.IntFlag):
     NO_SECTOR_THRUST = 0x400000
 
 
-class WeaponFlag(enum.IntFlag):
+class WeaponFlag(enum.IntEnum):
     """Weapon type flags that make a shot stick (research document, "Weapon Flags")."""
 
     ATTACH_TO_SURFACES = 0x80
     ATTACH_TO_THINGS = 0x800
 
 
-class AttachFlag(enum.IntFlag):
+class AttachFlag(enum.IntEnum):
     """Attach flags of a thing at run time as the engine uses them, which is JKSpecs' reading (Table 16)."""
 
     WORLD_SURFACE = 0x1
