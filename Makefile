@@ -36,7 +36,7 @@ pytest: $(VENV)/built
 	pytest --durations=10
 
 bench: $(VENV)/built
-	pytest benchmarks -s --benchmark-enable -o python_files="bench_*.py"
+	pytest benchmarks -s -o addopts="-q --strict-markers --import-mode=importlib"
 
 # The tests that grow with the time they are given: every corpus level, thousands of random faults.
 fuzz: $(VENV)/built

@@ -17,7 +17,7 @@ VERSION = 1
 
 
 def findings(diagnostics: Sequence[Diagnostic], files: int) -> str:
-    """The report of a lint run; shape in docs/json.md."""
+    """The report of a lint run; its shape is docs/lint.schema.json."""
     return _dump(
         {
             "version": VERSION,
