@@ -9,6 +9,7 @@ import numpy as np
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, Options, rule
+from jktools.linter.rules.geometry.normal_off_surface import RIGHT_ANGLE
 from jktools.model import Level
 
 
@@ -26,7 +27,8 @@ def adjoined_surfaces_differ(level: Level, facts: LevelFacts, options: Tolerance
     Who goes through where the two do not overlap arrives outside the sector that the engine puts him in, and looks
     past the edge of the other surface into nothing. Surfaces that face the same way are reported too.
 
-    Extra vertices within an edge do no harm: JED writes them, and they lie on the outline.
+    Extra vertices within an edge do no harm: JED writes them, and they lie on the outline. Adjoins that lead into
+    their own sector are left to adjoin-into-own-sector, surfaces that are turned over to normal-off-surface.
 
     ## Bad
         World vertices 13
@@ -41,10 +43,15 @@ def adjoined_surfaces_differ(level: Level, facts: LevelFacts, options: Tolerance
         8: 0 0x0 0x4 4 3 1 1 0 5 3,0 7,1 12,1 6,2 2,3 1 1 1 1 1
     """
     found = facts.adjoin_alignment
-    for row in np.flatnonzero((found.distance > options.distance) | (found.facing > 0)).tolist():
+    here, there = level.adjoin_surface[found.adjoin], level.mirror_surface[found.adjoin]
+    turned = facts.normal_fit.angle > RIGHT_ANGLE
+    same_way = (found.facing > 0) & ~turned[here] & ~turned[there]
+    differ = ((found.distance > options.distance) | same_way) & (
+        level.surface_sector[here] != level.surface_sector[there]
+    )
+    for row in np.flatnonzero(differ).tolist():
         adjoin = level.adjoins[int(found.adjoin[row])]
-        surface = level.surfaces[int(level.adjoin_surface[adjoin.index])]
-        other = level.surfaces[int(level.mirror_surface[adjoin.index])]
+        surface, other = level.surfaces[int(here[row])], level.surfaces[int(there[row])]
         apart = found.distance[row]
         how = (
             f"their outlines lie {apart:.6g} JKU apart"
