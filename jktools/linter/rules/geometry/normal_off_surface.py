@@ -33,7 +33,8 @@ def normal_off_surface(level: Level, facts: LevelFacts, options: Tolerances) -> 
     ## Why it matters
     The engine draws the vertices, but collides with the plane of the written normal through the first of them: bodies
     stand on a slope that nobody sees. A normal that points the other way, out of the sector, is reported whatever the
-    corners' distance: the surface then lets everything through and is not drawn.
+    corners' distance: the surface then lets everything through and is not drawn. Surfaces that are bent by as much
+    themselves are left to surface-not-planar.
 
     ## Bad
         Normals
@@ -49,7 +50,8 @@ def normal_off_surface(level: Level, facts: LevelFacts, options: Tolerances) -> 
     """
     fit = facts.normal_fit
     flipped = fit.angle > RIGHT_ANGLE
-    wrong = (fit.angle > options.angle) & ((fit.distance > options.distance) | flipped)
+    tilted = (fit.distance > options.distance) & (facts.planarity.distance <= options.distance)
+    wrong = (fit.angle > options.angle) & (tilted | flipped)
     for index in np.flatnonzero(wrong).tolist():
         surface = level.surfaces[index]
         off = (

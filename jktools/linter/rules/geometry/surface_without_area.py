@@ -9,6 +9,7 @@ import numpy as np
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, Options, rule
+from jktools.linter.rules.topology.too_few_surface_vertices import LEAST_VERTICES
 from jktools.model import Level
 
 
@@ -26,7 +27,8 @@ def surface_without_area(level: Level, facts: LevelFacts, options: Tolerances) -
     Nobody sees it and nobody can pass it. Where its corners lie exactly in line it has no plane at all, so that the
     written normal means nothing.
 
-    The width is twice the area over the longest edge.
+    The width is twice the area over the longest edge. Surfaces with fewer than 3 vertices are left to
+    too-few-surface-vertices.
 
     ## Bad
         World vertices 12
@@ -43,7 +45,7 @@ def surface_without_area(level: Level, facts: LevelFacts, options: Tolerances) -
     np.maximum.at(longest, corners.surface, np.linalg.norm(corners.edge, axis=1))
     area = np.linalg.norm(corners.area, axis=1)
     width = np.divide(area, longest, out=np.zeros_like(area), where=longest > 0)
-    measured = level.sound_surfaces & (np.diff(level.document.surfaces.corner_start) > 0)
+    measured = level.sound_surfaces & (np.diff(level.document.surfaces.corner_start) >= LEAST_VERTICES)
     for index in np.flatnonzero(measured & (width <= options.width)).tolist():
         surface = level.surfaces[index]
         yield Finding(
