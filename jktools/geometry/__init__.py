@@ -4,6 +4,7 @@ from jktools.geometry.adjoins import Alignment, adjoin_alignment
 from jktools.geometry.closedness import OpenEdges, open_edges
 from jktools.geometry.corners import Corners, corners_of
 from jktools.geometry.extent import Extent, centers_outside, sector_extent, sector_vertices
+from jktools.geometry.nonconvexity import Behind, vertices_behind
 from jktools.geometry.normals import NormalFit, normal_fit
 from jktools.geometry.validity import (
     Concavity,
@@ -19,6 +20,7 @@ from jktools.geometry.validity import (
 
 __all__ = [
     "Alignment",
+    "Behind",
     "Concavity",
     "Convexity",
     "Corners",
@@ -39,4 +41,5 @@ __all__ = [
     "sector_vertices",
     "surface_concavity",
     "surface_planarity",
+    "vertices_behind",
 ]

@@ -13,14 +13,15 @@ FILLED = (3, 4, 5)
 """Geometry modes that fill the polygon: solid colour, textured and full (rdroid.h in the decompiled engine)."""
 
 
-@rule("JK221", "undrawn-solid-surface", severity=Severity.WARNING, since="0.1.0")
+@rule("JK221", "undrawn-solid-surface", severity=Severity.INFO, since="0.1.0")
 def undrawn_solid_surface(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a surface without adjoin that has a material, but a geometry mode that does not fill it.
 
     ## Why it matters
-    Nothing is drawn there, and nothing lies behind: what the screen held before shows, a hall of mirrors. JED and SED
-    warn of every mode other than 4; here 3 (a solid colour) and 5 count as drawn too. Surfaces without material are
-    left to solid-surface-without-material.
+    Nothing is drawn there, sky neither (sithRender_RenderLevelGeometry in the decompiled engine), and nothing lies
+    behind: what the screen held before shows, a hall of mirrors. Real levels do it on purpose to hulls that nobody
+    should see, so that it is an info only. JED and SED warn of every mode other than 4; here 3 (a solid colour) and 5
+    count as drawn too. Surfaces without material are left to solid-surface-without-material.
 
     ## Bad
         World surfaces 12
