@@ -226,3 +226,18 @@ def test_every_level_of_masspack_has_a_box_that_sticks_out(name: str) -> None:
     if data is None:
         pytest.skip("the corpus of real mods is not at hand")
     assert lint(level_of(data), [find_rule("JK301")])
+
+
+def test_as_many_surfaces_have_edges_of_no_length_as_another_program_counted() -> None:
+    data = next((data for path, data in corpus_files() if path == "masspack.gob!jkl/desolation.jkl"), None)
+    if data is None:
+        pytest.skip("the corpus of real mods is not at hand")
+    found = lint(level_of(data), [find_rule("JK306")])
+    assert len({d.label.span.first.line for d in found if d.label.span}) == 38  # facts/level_checks.md, A30
+
+
+def test_a_normal_that_is_off_bends_no_sector() -> None:
+    # Behind the plane of a normal tilted by 2 degrees lie other vertices of the room, but not behind its polygon.
+    tilted = ("Normals", "0: 0 .034899 .999391")
+    assert len(messages("JK309", *tilted)) == 1
+    assert messages("JK302", *tilted) == []
