@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from jktools.geometry.corners import Corners, Float64, Index
+from jktools.geometry.corners import Corners, Float64, Index, batches
 from jktools.model import Level
 
 
@@ -47,9 +47,13 @@ def _pairs(level: Level) -> Index:
 
 def _farthest(corners: Corners, of: Index, from_: Index) -> Float64:
     """For each pair of surfaces, the farthest that a corner of the first lies from the outline of the second."""
-    if not len(of):
-        return np.zeros(0)
     start = np.searchsorted(corners.surface, np.arange(len(corners.area) + 1))
+    sizes = np.diff(start)[of] * np.diff(start)[from_]
+    return np.concatenate([np.zeros(0), *(_farthest_of(corners, start, of[b], from_[b]) for b in batches(sizes))])
+
+
+def _farthest_of(corners: Corners, start: Index, of: Index, from_: Index) -> Float64:
+    """The same for some of the pairs; `start` is where the corners of each surface begin."""
     points, edges = np.diff(start)[of], np.diff(start)[from_]
     # Every corner of the first with every edge of the second: rows of one pair, then of one corner, stand together.
     pair = np.repeat(np.arange(len(of)), points * edges)

@@ -35,7 +35,6 @@ def open_edges(level: Level, corners: Corners, tolerance: float) -> OpenEdges:
     count = len(level.sectors)
     left = np.flatnonzero(_unpaired(corners, sector.astype(np.intp)) & (sector >= 0))
     left = left[level.sound_sectors[sector[left]]]
-    left = left[np.linalg.norm(corners.edge[left], axis=1) > tolerance]
     gaps = np.zeros(len(left))
     for group in _groups(sector[left].astype(np.intp)):
         edges = left[group]
@@ -74,22 +73,36 @@ def _groups(owner: Index) -> Iterator[Index]:
 
 
 def _longest_gap(start: Float64, end: Float64, i: int, tolerance: float) -> float:
-    """The longest stretch of edge i that the edges along its line do not undo, JKU."""
+    """The longest stretch of edge i that the edges along it do not undo, JKU."""
     length = float(np.linalg.norm(end[i] - start[i]))
+    if length <= tolerance:
+        return 0.0
     direction = (end[i] - start[i]) / length
-    along_start, along_end = (start - start[i]) @ direction, (end - start[i]) @ direction
-    beside = np.maximum(
-        np.linalg.norm(start - start[i] - along_start[:, None] * direction, axis=1),
-        np.linalg.norm(end - start[i] - along_end[:, None] * direction, axis=1),
-    )
-    near = np.flatnonzero(beside <= tolerance)
-    low = np.clip(np.minimum(along_start, along_end)[near], 0, length)
-    high = np.clip(np.maximum(along_start, along_end)[near], 0, length)
-    sense = np.sign(along_end - along_start)[near]
+    along = np.stack([start - start[i], end - start[i]]) @ direction
+    low, high = np.clip(along, 0, length).min(axis=0), np.clip(along, 0, length).max(axis=0)
+    near = (high > low) & (_beside(start, end, along, start[i], direction, length) <= tolerance)
+    low, high, sense = low[near], high[near], np.sign(along[1] - along[0])[near]
     cuts = np.unique(np.concatenate([low, high]))
     middle = (cuts[1:] + cuts[:-1]) / 2
     cover = ((low <= middle[:, None]) & (middle[:, None] <= high)) @ sense
     return _longest_run(cuts, cover > 0)
+
+
+def _beside(
+    start: Float64, end: Float64, along: Float64, origin: Float64, direction: Float64, length: float
+) -> Float64:
+    """How far edges lie beside a line, over the stretch from its origin to `length` alone.
+
+    Beyond it a short edge, whose ends are rounded, says little of where its line goes.
+    """
+    reach = along[1] - along[0]
+    farthest = np.zeros(len(start))
+    for to in np.clip(along, 0, length):
+        share = np.divide(to - along[0], reach, out=np.zeros(len(start)), where=reach != 0)
+        point = start + share[:, None] * (end - start) - origin
+        aside = point - (point @ direction)[:, None] * direction
+        farthest = np.maximum(farthest, np.linalg.norm(aside, axis=1))
+    return farthest
 
 
 def _longest_run(cuts: Float64, open_: Bool) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +12,9 @@ from jktools.model import Level
 
 Float64 = npt.NDArray[np.float64]
 Index = npt.NDArray[np.intp]
+
+MOST_ROWS = 1 << 20
+"""Rows of a table of pairs at a time: some 100 MB."""
 
 
 class Corners(NamedTuple):
@@ -79,3 +83,15 @@ def greatest_by(group: Index, values: Float64, count: int) -> tuple[Index, Float
     greatest[group[order]] = values[order]  # assignment in order: the greatest one stays
     at[group[order]] = order
     return at, greatest
+
+
+def batches(sizes: Index, most: int = MOST_ROWS) -> Iterator[slice]:
+    """Cut a sequence into runs whose sizes add up to at most `most`; a greater one stands alone."""
+    start = total = 0
+    for i, size in enumerate(sizes.tolist()):
+        if total + size > most and i > start:
+            yield slice(start, i)
+            start, total = i, 0
+        total += size
+    if len(sizes):
+        yield slice(start, len(sizes))

@@ -25,11 +25,7 @@ class NormalFit(NamedTuple):
 
 def normal_fit(level: Level, corners: Corners) -> NormalFit:
     """Measure every written normal."""
-    count = len(level.surfaces)
-    written = np.full((count, 3), np.nan)
-    rows = min(count, len(level.document.normals))
-    written[:rows] = level.document.normals.direction[:rows]
-    written[~np.isfinite(written).all(axis=1)] = np.nan
+    written = written_normals(level)
     length = np.linalg.norm(written, axis=1)
     unit = np.divide(written, length[:, None], out=np.zeros_like(written), where=length[:, None] > 0)
     drawn = corners.normal
@@ -37,6 +33,16 @@ def normal_fit(level: Level, corners: Corners) -> NormalFit:
     # atan2 keeps small angles that arccos rounds away.
     angle = np.degrees(np.arctan2(np.linalg.norm(np.cross(unit, drawn), axis=1), (unit * drawn).sum(axis=1)))
     off = np.abs(((corners.position - corners.position[corners.first]) * unit[corners.surface]).sum(axis=1))
-    distance = np.zeros(count)
+    distance = np.zeros(len(written))
     np.maximum.at(distance, corners.surface, off)
     return NormalFit(length, np.where(measured, angle, 0.0), np.where(length > 0, distance, 0.0))
+
+
+def written_normals(level: Level) -> Float64:
+    """(surfaces, 3) normals as written; NaN where one is missing or not finite."""
+    count = len(level.surfaces)
+    written = np.full((count, 3), np.nan)
+    rows = min(count, len(level.document.normals))
+    written[:rows] = level.document.normals.direction[:rows]
+    written[~np.isfinite(written).all(axis=1)] = np.nan
+    return written

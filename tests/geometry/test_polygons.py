@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from jktools.geometry import adjoin_alignment, corners_of, normal_fit, open_edges, sector_extent
+from jktools.geometry import adjoin_alignment, corners_of, normal_fit, open_edges, sector_extent, vertices_behind
+from jktools.geometry.corners import batches
 from jktools.model import Level
 from tests.support.levels import level_of
 
@@ -147,3 +148,24 @@ def test_nothing_is_measured_of_no_level() -> None:
     assert len(adjoin_alignment(level, corners).distance) == 0
     assert len(normal_fit(level, corners).angle) == 0
     assert len(sector_extent(level).box) == 0
+
+
+@given(st.lists(st.integers(0, 9), max_size=20), st.integers(1, 12))
+def test_batches_hold_everything_once_and_no_more_than_they_may(sizes: list[int], most: int) -> None:
+    cut = list(batches(np.array(sizes, np.intp), most))
+    assert [i for b in cut for i in range(b.start, b.stop)] == list(range(len(sizes)))
+    assert all(sum(sizes[b]) <= most or b.stop - b.start == 1 for b in cut)
+
+
+def test_batches_change_no_measure(monkeypatch: pytest.MonkeyPatch) -> None:
+    # The floor of the first cube, whose written normal is right, is raised: the corners of the walls lie behind it.
+    polygons = cube()
+    polygons[0] = [point + np.array([0, 0, 0.3]) for point in polygons[0]]
+    level = level_with([polygons, moved(cube(), (np.eye(3), np.array([0, 0, -1.0])))], [(0, 7)])
+    corners = corners_of(level)
+    whole = vertices_behind(level, corners, 1e-3), adjoin_alignment(level, corners)
+    assert len(whole[0].vertex)
+    monkeypatch.setattr("jktools.geometry.corners.batches.__defaults__", (5,))
+    parts = vertices_behind(level, corners, 1e-3), adjoin_alignment(level, corners)
+    for before, after in zip(whole, parts, strict=True):
+        assert all((a == b).all() for a, b in zip(before, after, strict=True))
