@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import cached_property
 
 from jktools import geometry
-from jktools.geometry import Concavity, Convexity, Outside, Planarity
+from jktools.facts.templates import template_types, thing_types
+from jktools.geometry import Alignment, Concavity, Convexity, Corners, Extent, NormalFit, Outside, Planarity
 from jktools.geometry.validity import Int32
 from jktools.model import Level
 
@@ -36,3 +37,38 @@ class LevelFacts:
     def collide_boxes(self) -> tuple[Int32, Outside]:
         """The sectors that have a collide box, and how far each box sticks out."""
         return geometry.collide_boxes_outside(self.level)
+
+    @cached_property
+    def corners(self) -> Corners:
+        """The corners of the surfaces, as arrays."""
+        return geometry.corners_of(self.level)
+
+    @cached_property
+    def adjoin_alignment(self) -> Alignment:
+        """How far the two surfaces of each adjoin are from being one polygon."""
+        return geometry.adjoin_alignment(self.level, self.corners)
+
+    @cached_property
+    def normal_fit(self) -> NormalFit:
+        """How each written normal fits its polygon."""
+        return geometry.normal_fit(self.level, self.corners)
+
+    @cached_property
+    def sector_extent(self) -> Extent:
+        """What each sector says of its extent, against its vertices."""
+        return geometry.sector_extent(self.level)
+
+    @cached_property
+    def sector_vertices(self) -> list[tuple[frozenset[int], frozenset[int]]]:
+        """For each sector, the vertices that it lists and those that its surfaces use; empty where it is not sound."""
+        return geometry.sector_vertices(self.level)
+
+    @cached_property
+    def template_types(self) -> tuple[str | None, ...]:
+        """Each template's type, up its parents as written; None where that leaves the level."""
+        return template_types(self.level)
+
+    @cached_property
+    def thing_types(self) -> tuple[str | None, ...]:
+        """Each thing's type, its template's unless it has its own; None where the template is unknown."""
+        return thing_types(self.level, self.template_types)

@@ -22,6 +22,7 @@ def two_rooms(*fragment: str) -> str:
     Lines of a fragment: a heading (`World adjoins 2`, `Sector 1`, `Section: THINGS`) replaces the heading of that
     name and chooses the block; a record replaces the record of the block with the same label, keyword or name, or
     is added at the block's end; `- line` deletes a line of the block, `+ line` adds one at the end of the file.
+    `Normals` chooses the block of normals, which has no heading of its own.
     """
     lines = TWO_ROOMS.split("\n")
     start, end = 0, len(lines)
@@ -32,6 +33,9 @@ def two_rooms(*fragment: str) -> str:
             at = next(i for i in range(start, end) if lines[i].lower() == record[2:].lower())
             del lines[at]
             end -= 1
+        elif record == "Normals":
+            start = _block(lines, "World surfaces")[1]
+            end = lines.index("", start + 1)
         elif re.match(r"world |sector \d|section:", record, re.IGNORECASE):
             start, end = _block(lines, record)
             lines[start] = record

@@ -26,7 +26,8 @@ def collidebox_outside_sector(level: Level, facts: LevelFacts, options: Toleranc
     While the end point of a movement lies in the collide box, the engine tests none of the sector's surfaces, so
     a body can pass through the walls that the box sticks out of (read in the decompiled engine, not played).
     JED and SED write such boxes: when growing the box towards +Y fails, they take back the step in X. Boxes that
-    LucasArts' own tools wrote never stick out.
+    LucasArts' own tools wrote never stick out. A box that is inverted as well holds nothing and is left to
+    collidebox-inverted.
 
     ## Bad
         Sector 0
@@ -40,9 +41,10 @@ def collidebox_outside_sector(level: Level, facts: LevelFacts, options: Toleranc
     for index, surface, distance in zip(
         sectors.tolist(), outside.surface.tolist(), outside.distance.tolist(), strict=True
     ):
-        if distance <= options.distance:
-            continue
         sector, wall = level.sectors[index], level.surfaces[surface]
+        box = sector.collide_box
+        if distance <= options.distance or box is None or (box[0] > box[1]).any():
+            continue
         yield Finding(
             Label(sector.line_span("collide_box")),
             f"the collide box of sector {index} lies {distance:.6g} JKU behind surface {wall.index} "

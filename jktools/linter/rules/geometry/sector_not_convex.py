@@ -6,6 +6,7 @@ from typing import Annotated
 import msgspec
 import numpy as np
 
+from jktools import geometry
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, Options, rule
@@ -26,8 +27,9 @@ def sector_not_convex(level: Level, facts: LevelFacts, options: Tolerances) -> I
     The engine's collision, its search for the sector of a point and its drawing order all take a sector for convex.
     In one that is not, bodies pass through walls and surfaces vanish.
 
-    The side of each vertex is decided exactly; the distance is from the plane of the surface's widest triangle.
-    Per sector the worst vertex is told, and how many more there are.
+    A vertex counts when it lies so far behind both the plane of the surface's vertices and that of the written
+    normal: far from the origin, the rounding of either alone bends sectors that their author made convex. That the
+    sector is not convex at all is decided exactly. Per sector the worst vertex is told, and how many more there are.
 
     ## Bad
         World vertices 12
@@ -37,17 +39,19 @@ def sector_not_convex(level: Level, facts: LevelFacts, options: Tolerances) -> I
         World vertices 12
         2: 1 1 0
     """
-    convexity = facts.convexity
-    for index in np.flatnonzero(convexity.distance > options.distance).tolist():
-        sector = level.sectors[index]
-        surface = level.surfaces[int(convexity.surface[index])]
-        vertex, distance = int(convexity.vertex[index]), float(convexity.distance[index])
-        more = int(convexity.behind[index]) - 1
+    found = geometry.vertices_behind(level, facts.corners, options.distance)
+    bent, first, pairs = np.unique(found.sector, return_index=True, return_counts=True)
+    for index, start, count in zip(bent.tolist(), first.tolist(), pairs.tolist(), strict=True):
+        if not facts.convexity.behind[index]:
+            continue
+        worst = start + int(found.distance[start : start + count].argmax())
+        sector, surface = level.sectors[index], level.surfaces[int(found.surface[worst])]
+        vertex = int(found.vertex[worst])
+        more = f"; {count - 1} more such pairs" if count > 1 else ""
         yield Finding(
             Label(sector.span),
-            f"sector {index} should be convex, but its vertex {vertex} lies {distance:.6g} JKU behind surface "
-            f"{surface.index} (sector {index}, surface {surface.index - sector.first_surface})"
-            + (f"; {more} more such pairs" if more > 0 else ""),
+            f"sector {index} should be convex, but its vertex {vertex} lies {found.distance[worst]:.6g} JKU behind "
+            f"surface {surface.index} (sector {index}, surface {surface.index - sector.first_surface}){more}",
             "cleave the sector along that surface",
             sector.subject,
             (

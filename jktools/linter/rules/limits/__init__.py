@@ -1,0 +1,1 @@
+"""JK8xx: limits of the engine."""

@@ -1,0 +1,1 @@
+"""JK1xx: what names something that the level must hold."""

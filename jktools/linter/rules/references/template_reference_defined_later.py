@@ -1,0 +1,45 @@
+"""JK106: a parameter that names a template which comes later."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from jktools.diagnostics import Label, Severity
+from jktools.facts import LevelFacts
+from jktools.linter.rule import Finding, rule
+from jktools.model import Level
+
+TEMPLATE_PARAMETERS = frozenset({"creatething", "explode", "weapon", "weapon2", "debris", "trailthing", "fleshhit"})
+"""Parameters whose value is the name of a template (sithThing_LoadThingParam and its kin)."""
+
+
+@rule("JK106", "template-reference-defined-later", severity=Severity.WARNING, since="0.1.0")
+def template_reference_defined_later(level: Level, facts: LevelFacts) -> Iterator[Finding]:
+    """Report a template with a parameter that names a template below it.
+
+    ## Why it matters
+    The engine resolves `creatething`, `explode`, `weapon`, `debris` and the like while it reads the template and
+    knows only those above: the parameter stays empty, so that nothing explodes, is shot or is created.
+
+    ## Bad
+        World templates 5
+        barrel none type=actor explode=+boom
+        +boom none type=explosion
+
+    ## Good
+        World templates 5
+        +boom none type=explosion
+        barrel none type=actor explode=+boom
+    """
+    for template in level.templates:
+        for key, value in template.parameters:
+            at = level.template_by_name.get(value.lower(), -1)
+            if key.lower() not in TEMPLATE_PARAMETERS or at < template.index:
+                continue
+            yield Finding(
+                Label(template.span),
+                f"{template.title} has {key}={value}, but {value} stands below, as template {at}",
+                f"move {value} above {template.name}",
+                template.subject,
+                (Label(level.templates[at].head_span, f"template {at}"),),
+            )
