@@ -16,7 +16,7 @@ from jktools._native_text import read_fields, read_sectors, read_surfaces  # noq
 from jktools.model import Level
 from jktools.source import Member, Source, resolve
 from jktools.syntax.jkl import read, records
-from jktools.syntax.lines import END, SECTION, SECTOR, WORLD, LogicalLines
+from jktools.syntax.lines import END, SECTION, WORLD, LogicalLines
 from tests.support.levels import CORPUS
 
 LEVEL = CORPUS / "gob/masspack.gob"
@@ -74,7 +74,7 @@ def tables() -> tuple[LogicalLines, list[tuple[Callable[..., object], slice, tup
         part = slice(first, lines.next_of(SECTION | WORLD | END, first))
         size += int(lines.end[part.stop - 1] - lines.start[part.start])
         if record is None:
-            wanted.append((read_sectors, slice(lines.next_of(SECTOR, first), part.stop), ()))
+            wanted.append((read_sectors, slice(lines.next_sector(first), part.stop), ()))
         elif record is records.SURFACE:
             counts = lines.word_counts(range(part.start, part.stop))  # type: ignore[arg-type]
             end = part.start + int((counts < len(record.fields)).argmax())

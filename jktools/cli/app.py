@@ -13,6 +13,7 @@ import click
 
 from jktools import __version__
 from jktools.cli.status import Status
+from jktools.emit.printable import printable
 
 COMMANDS = {
     "lint": "find what is wrong with levels",
@@ -51,11 +52,6 @@ def cli() -> None:
     """Level compiler and static analyser for Jedi Knight and Mysteries of the Sith."""
 
 
-def printable(text: str) -> str:
-    """Text from a file on one line: a name in a pack may hold line ends and a terminal's control codes."""
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
-
-
 def problem(message: str) -> None:
     """Tell a problem of the run, as opposed to a finding, on standard error."""
     click.echo(f"jktools: error: {printable(message)}", err=True)
@@ -85,6 +81,9 @@ def run(words: Sequence[str]) -> int:
         with contextlib.suppress(OSError):
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return Status.CLEAN
+    except OSError as error:
+        problem(f"cannot write the output: {(error.strerror or str(error)).lower()}")
+        return Status.USAGE
     except Exception as error:
         if os.environ.get("JKTOOLS_TRACEBACK"):
             raise

@@ -10,6 +10,7 @@ from jktools.cli.app import common, note, problem
 from jktools.cli.configured import configured, overridden
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
+from jktools.emit.printable import printable
 from jktools.session import build_all
 from jktools.session.settings import Game
 
@@ -40,11 +41,13 @@ def command(
         built = build_all(paths, out, settings, report)
     if not quiet:
         for level, target, size in built.written:
-            click.echo(f"{level} -> {target} ({size} bytes)")
+            click.echo(printable(f"{level} -> {target} ({size} bytes)"))
     for message in built.skipped:
         note(message)
-    for message in (*built.refused, *built.problems):
+    for message in (*built.refused, *built.problems, *built.bugs):
         problem(message)
+    if built.bugs:
+        return Status.BUG
     if built.problems:
         return Status.USAGE
     return Status.FINDINGS if built.refused else Status.CLEAN

@@ -34,11 +34,14 @@ def overridden(
     select: tuple[str, ...] = (),
     ignore: tuple[str, ...] = (),
 ) -> Settings:
-    """What the command line says wins; what it ignores is ignored besides what the configuration does."""
+    """What the command line says wins; what it ignores is ignored besides what the configuration does.
+
+    What it selects runs even where the configuration ignores it.
+    """
     return replace(
         settings,
         game=game or settings.game,
         select=select or settings.select,
-        ignore=(*settings.ignore, *ignore),
+        ignore=ignore if select else (*settings.ignore, *ignore),
         strict_grammar=strict_grammar,
     )

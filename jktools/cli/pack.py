@@ -6,10 +6,11 @@ from pathlib import Path
 
 import click
 
-from jktools.cli.app import printable, problem
+from jktools.cli.app import problem
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
 from jktools.emit import json as json_format
+from jktools.emit.printable import printable
 from jktools.session.packs import create, extract, open_container
 from jktools.source import Member
 

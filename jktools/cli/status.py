@@ -6,6 +6,7 @@ import enum
 from collections.abc import Sequence
 
 from jktools.diagnostics import Diagnostic, Severity
+from jktools.linter.rule import BUG_FAMILY
 
 
 class Status(enum.IntEnum):
@@ -15,9 +16,6 @@ class Status(enum.IntEnum):
     FINDINGS = 1
     USAGE = 2
     BUG = 3
-
-
-BUG_FAMILY = "JK9"
 
 
 def of_findings(diagnostics: Sequence[Diagnostic], fail_on: Severity | None) -> Status:

@@ -101,10 +101,16 @@ class CompiledLevel:
         table = self._table(section)
         return {name: _view(table, name, column) for name, column in SECTIONS[section].items()}
 
+    def _text(self, data: bytes) -> str:
+        try:
+            return data.decode()
+        except UnicodeDecodeError as error:
+            raise CompiledFileError(f"cannot read {self.path}: the file is damaged; build it again") from error
+
     @cached_property
     def strings(self) -> tuple[str, ...]:
         """Every text of the level."""
-        return tuple(self._root.Strings(i).decode() for i in range(self._root.StringsLength()))
+        return tuple(self._text(self._root.Strings(i)) for i in range(self._root.StringsLength()))
 
     @property
     def format(self) -> str:
@@ -114,7 +120,7 @@ class CompiledLevel:
     @property
     def tool_version(self) -> str:
         """Version of the jktools that wrote it."""
-        return str(self._root.ToolVersion().decode())
+        return self._text(self._root.ToolVersion())
 
     @property
     def checksum(self) -> str:
@@ -125,16 +131,16 @@ class CompiledLevel:
     def inputs(self) -> list[tuple[str, str]]:
         """Path inside the pack and SHA-256 of each file that it was made from."""
         entries = [self._root.Inputs(i) for i in range(self._root.InputsLength())]
-        return [(e.Path().decode(), bytes(e.Sha256AsNumpy()).hex()) for e in entries]
+        return [(self._text(e.Path()), bytes(e.Sha256AsNumpy()).hex()) for e in entries]
 
     @property
     def settings(self) -> dict[str, str]:
         """What it was compiled for."""
         settings = self._root.Settings()
         return {
-            "game": settings.Game().decode(),
-            "engine": settings.Engine().decode(),
-            "accuracy": settings.Accuracy().decode(),
+            "game": self._text(settings.Game()),
+            "engine": self._text(settings.Engine()),
+            "accuracy": self._text(settings.Accuracy()),
         }
 
     @property
@@ -160,7 +166,7 @@ class CompiledLevel:
         """Which passes ran; `note` says why one did not."""
         entries = [self._root.Passes(i) for i in range(self._root.PassesLength())]
         return {
-            e.Name().decode(): {"ran": e.Ran(), "note": e.Note().decode() if e.Note() is not None else None}
+            self._text(e.Name()): {"ran": e.Ran(), "note": None if e.Note() is None else self._text(e.Note())}
             for e in entries
         }
 

@@ -34,6 +34,11 @@ class Code:
     def __str__(self) -> str:
         return self.id
 
+    @property
+    def is_bug(self) -> bool:
+        """Whether it tells of a bug in jktools: nothing hides such a finding, and the exit status is 3."""
+        return self.id.startswith("JK9")
+
 
 @dataclass(frozen=True, slots=True)
 class Label:

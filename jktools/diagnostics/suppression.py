@@ -17,9 +17,9 @@ UNUSED_SUPPRESSION = Code("JK020", "unused-suppression", Severity.WARNING)
 MALFORMED_SUPPRESSION = Code("JK021", "malformed-suppression", Severity.WARNING)
 
 _MARK = "jktools:"
-_COMMENT = re.compile(r"(?P<sign>#|//|;)[ \t]*jktools:[ \t]*(?P<text>[^\r\n]*)")
+_COMMENT = re.compile(r"(?P<sign>#|^;)[ \t]*jktools:[ \t]*(?P<text>[^\r\n]*)", re.MULTILINE)
 _TEXT = re.compile(r"(?P<scope>ignore|ignore-file)[ \t]+(?P<codes>(?:(?!--).)+?)[ \t]*(?:--[ \t]*(?P<reason>.*))?$")
-_EMPTY = re.compile(r"[ \t]*(#|//|;|$)")
+_EMPTY = re.compile(r"[ \t]*(#|$)|;")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +32,8 @@ class Suppression:
 
     def hides(self, diagnostic: Diagnostic, code: str) -> bool:
         """Whether one of its codes (a whole one, or a rule's name) hides a finding."""
+        if diagnostic.code.is_bug:
+            return False
         if code.upper() != diagnostic.code.id and code.lower() != diagnostic.code.name:
             return False
         span = diagnostic.label.span

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 import click
 
 from jktools.diagnostics import Diagnostic, Label, Severity
+from jktools.emit.printable import printable
 from jktools.source import Span
 
 _COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.INFO: "cyan"}
@@ -41,13 +42,13 @@ def _block(diagnostic: Diagnostic, colour: bool) -> Iterator[str]:
 
     shade = _COLOURS[diagnostic.severity]
     head = styled(f"{diagnostic.severity}[{diagnostic.code}]", fg=shade, bold=True)
-    yield f"{head}: {styled(diagnostic.message, bold=True)}"
+    yield f"{head}: {styled(printable(diagnostic.message), bold=True)}"
     gutter = max((_number_width(label) for label in (diagnostic.label, *diagnostic.related)), default=1)
     yield from _excerpt(diagnostic.label, "-->", gutter, lambda mark: styled(mark, fg=shade, bold=True))
     for label in diagnostic.related:
         yield from _excerpt(label, ":::", gutter, lambda mark: styled(mark, fg="blue"))
     if diagnostic.help:
-        yield f"{' ' * gutter} = {styled('help', bold=True)}: {diagnostic.help}"
+        yield f"{' ' * gutter} = {styled('help', bold=True)}: {printable(diagnostic.help)}"
 
 
 def _number_width(label: Label) -> int:
@@ -59,10 +60,10 @@ def _excerpt(label: Label, arrow: str, gutter: int, paint: object) -> Iterator[s
     span = label.span
     if span is None:
         note = f" {label.message}" if label.message else ""
-        yield f"{' ' * gutter}{arrow} {label.path}{note}"
+        yield f"{' ' * gutter}{arrow} {printable(label.path)}{note}"
         return
     line, column = span.first
-    yield f"{' ' * gutter}{arrow} {label.path}:{line}:{column}"
+    yield f"{' ' * gutter}{arrow} {printable(label.path)}:{line}:{column}"
     yield f"{' ' * gutter} |"
     shown, at, width = _window(span)
     yield f"{line:>{gutter}} | {shown}"

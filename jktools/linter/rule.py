@@ -27,7 +27,11 @@ class Finding:
 
 
 RULE_FAILED = Code("JK901", "rule-failed", Severity.ERROR)
-"""A bug in jktools, not in the level."""
+FILE_FAILED = Code("JK902", "file-failed", Severity.ERROR)
+"""Bugs in jktools, not in the level."""
+
+BUG_FAMILY = "JK9"
+"""Codes of such bugs: nothing hides them, and they make the exit status 3."""
 
 
 class Options(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -13,6 +13,9 @@ from jktools.syntax.jkl import Document, Header
 from jktools.syntax.jkl.document import Bool, Float32, Int32
 from jktools.syntax.jkl.reader import GEOMETRY
 
+MOST_CORNERS = 24
+"""Corners of one surface (sithSurface_Load in the decompiled engine)."""
+
 NONE = -1
 """An index that refers to nothing."""
 
@@ -179,7 +182,11 @@ class Level:
 
     @cached_property
     def sound_surfaces(self) -> Bool:
-        """(surfaces,) bool: surfaces that were read and whose corners all name vertices with finite coordinates."""
+        """(surfaces,) bool: surfaces that were read, with corners that all name vertices with finite coordinates.
+
+        A surface with more corners than the engine takes is none: nothing can be said of a level that is refused, and
+        the tests of its plane would take their time.
+        """
         table = self.document.surfaces
         sound = ~table.broken
         vertices = len(self.vertices)
@@ -188,7 +195,7 @@ class Level:
         good[inside] = self.finite_vertices[table.corner_vertex[inside]]
         corners = np.diff(table.corner_start)
         bad = np.bincount(np.repeat(np.arange(len(corners)), corners)[~good], minlength=len(corners))
-        sound &= bad == 0
+        sound &= (bad == 0) & (corners <= MOST_CORNERS)
         return sound
 
     @cached_property

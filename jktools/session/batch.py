@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from jktools.compiler import CompileError, compile_level
-from jktools.diagnostics import Diagnostic
+from jktools.diagnostics import Diagnostic, Label
 from jktools.linter import Selection, lint, select
+from jktools.linter.rule import FILE_FAILED
 from jktools.session.ignores import unused_ignores, with_settings
 from jktools.session.levels import discover, read_level
 from jktools.session.settings import Settings
 from jktools.session.write import write_atomically
-from jktools.source import InputError, Member
+from jktools.source import InputError, Member, Source
+from jktools.source.container import PACK_SEPARATOR
+from jktools.source.filenames import fault_of
+
+TRACEBACK_VARIABLE = "JKTOOLS_TRACEBACK"
+"""Set in the environment, a bug shows its traceback and ends the run."""
 
 Progress = Callable[[int, int, str], None]
 """Told before each file: how many are done, how many there are, and its path."""
@@ -65,6 +72,9 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
         except InputError as error:
             batch.problems.append(str(error))
             continue
+        except Exception as error:
+            batch.diagnostics.append(_failed(member, error))
+            continue
         batch.files += 1
         found = lint(level, rules, options=settings.options)
         batch.diagnostics += with_settings(found, settings, used)
@@ -74,16 +84,33 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     return batch
 
 
+def _failed(member: Member, error: Exception) -> Diagnostic:
+    """A bug in jktools that one file brought to light."""
+    if os.environ.get(TRACEBACK_VARIABLE):
+        raise error
+    return Diagnostic(
+        FILE_FAILED, FILE_FAILED.severity, Label(Source(member.path, b"")),
+        f"jktools failed on this file: {type(error).__name__}: {error}",
+        f"this is a bug in jktools; please report it with the file ({TRACEBACK_VARIABLE}=1 shows where)",
+    )  # fmt: skip
+
+
 def _members(paths: Sequence[str], problems: list[str]) -> list[Member]:
     """The levels of all paths, each once."""
     members: dict[str, Member] = {}
     for path in paths:
         try:
             for member in discover(path, problems):
-                members.setdefault(member.path, member)
+                members.setdefault(_identity(member), member)
         except InputError as error:
             problems.append(str(error))
     return list(members.values())
+
+
+def _identity(member: Member) -> str:
+    """One name for a file, however the paths to it were typed."""
+    outer, separator, inner = member.path.partition(PACK_SEPARATOR)
+    return str(member.place.resolve()) if member.place else f"{Path(outer).resolve()}{separator}{inner}"
 
 
 @dataclass
@@ -97,13 +124,16 @@ class Built:
     refused: list[str] = field(default_factory=list)
     """Levels that cannot be compiled, one sentence each."""
     problems: list[str] = field(default_factory=list)
-    """Paths that could not be read, one sentence each."""
+    """Paths that could not be read or written, one sentence each."""
+    bugs: list[str] = field(default_factory=list)
+    """Files on which jktools itself failed, one sentence each."""
 
 
 def build_all(paths: Sequence[str], out: Path, settings: Settings | None = None, progress: Progress = silent) -> Built:
     """Compile every level that the paths name into files below `out`, or into `out` itself when it names a .jklb.
 
-    Raises InputError when a file cannot be written.
+    What cannot be read, compiled or written is told, and the rest is built. Raises InputError when `out` cannot hold
+    the levels.
     """
     settings = settings or Settings()
     built = Built()
@@ -112,21 +142,27 @@ def build_all(paths: Sequence[str], out: Path, settings: Settings | None = None,
     for done, (member, target) in enumerate(zip(members, targets, strict=True)):
         progress(done, len(members), member.path)
         try:
-            level = read_level(member, settings)
+            _build(member, target, settings, built)
         except InputError as error:
             built.problems.append(str(error))
-            continue
-        if level.document.sections and not level.has_geometry:
-            built.skipped.append(f"{member.path}: skipped, it has no GEORESOURCE (resources and templates only)")
-            continue
-        try:
-            data = compile_level(level)
         except CompileError as error:
             built.refused.append(str(error))
-            continue
-        write_atomically(target, data)
-        built.written.append((member.path, target, len(data)))
+        except Exception as error:
+            built.bugs.append(f"{member.path}: {_failed(member, error).message}")
     return built
+
+
+def _build(member: Member, target: Path, settings: Settings, built: Built) -> None:
+    level = read_level(member, settings)
+    if level.document.sections and not level.has_geometry:
+        built.skipped.append(f"{member.path}: skipped, it has no GEORESOURCE (resources and templates only)")
+        return
+    fault = fault_of(target.name)
+    if fault:
+        raise InputError(f"cannot write {target}: {fault}")
+    data = compile_level(level)
+    write_atomically(target, data)
+    built.written.append((member.path, target, len(data)))
 
 
 COMPILED_SUFFIX = ".jklb"
@@ -141,14 +177,23 @@ def _targets(members: Sequence[Member], out: Path) -> list[Path]:
     stems = [PurePosixPath(m.name).stem.lower() for m in members]
     if len(set(stems)) == len(stems):
         return [out / f"{stem}{COMPILED_SUFFIX}" for stem in stems]
-    places = [out / _pack(m) / f"{stem}{COMPILED_SUFFIX}" for m, stem in zip(members, stems, strict=True)]
+    places = [out / _folder(m) / f"{stem}{COMPILED_SUFFIX}" for m, stem in zip(members, stems, strict=True)]
+    if len(set(places)) < len(places):  # equal names in packs of equal names: the whole path tells them apart
+        places = [out / _steps(m.path).with_suffix(COMPILED_SUFFIX) for m in members]
     clash = next((p for i, p in enumerate(places) if p in places[:i]), None)
     if clash is not None:
         raise InputError(f"two levels would be written to {clash}: build them into two folders")
     return places
 
 
-def _pack(member: Member) -> str:
-    """Name of the pack or folder that holds a level."""
-    container = member.path[: len(member.path) - len(member.name)].rstrip("!/")
-    return PurePosixPath(container).name or "level"
+def _folder(member: Member) -> PurePosixPath:
+    """Name of the pack that holds a level, or of the folder with the path below it."""
+    container = _steps(member.path[: len(member.path) - len(member.name)])
+    name = PurePosixPath(container.name)
+    return name if member.place is None else name / PurePosixPath(member.name).parent
+
+
+def _steps(path: str) -> PurePosixPath:
+    """A path as it can lie below OUT: nothing leads up or to the root, and packs are folders."""
+    parts = path.replace(PACK_SEPARATOR, "/").split("/")
+    return PurePosixPath(*(part for part in parts if part not in ("", ".", "..")))

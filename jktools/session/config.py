@@ -35,7 +35,8 @@ from jktools.diagnostics import Severity
 from jktools.linter import Options, UnknownRuleError, find_rule
 from jktools.session.settings import Game, Ignore, Settings
 from jktools.source import InputError, Source
-from jktools.source.container import PACK_SEPARATOR, describe
+from jktools.source.container import describe
+from jktools.source.path import on_disk
 
 FILE_NAME = "jktools.toml"
 PROJECT_FILE = "pyproject.toml"
@@ -79,7 +80,7 @@ class Config:
 
 def find_config(typed: str) -> Path | None:
     """The nearest configuration at or above what a user typed; `pack.gob!member` counts as the pack."""
-    path = Path(typed.partition(PACK_SEPARATOR)[0]).absolute()
+    path = on_disk(typed).absolute()
     for folder in (path, *path.parents):
         own = folder / FILE_NAME
         if own.is_file():
@@ -138,7 +139,10 @@ def _options(code: str, values: dict[str, Any]) -> tuple[str, Options]:
 
 def _ignores(file: _File, source: Source) -> list[Ignore]:
     """The entries in the order of the file, each with its place."""
-    places = [source.span(m.start(), m.end()) for m in re.finditer(r"\[\[(tool\.jktools\.)?ignore\]\]", source.text)]
+    places = [
+        source.span(m.start(), m.end())
+        for m in re.finditer(r"^[ \t]*\[\[[ \t]*(tool\.jktools\.)?ignore[ \t]*\]\]", source.text, re.MULTILINE)
+    ]
     spans = places if len(places) == len(file.ignore) else [source.span(0, 0)] * len(file.ignore)
     return [
         Ignore(find_rule(entry.code).code.id, entry.path, entry.object, entry.reason, span)

@@ -7,6 +7,7 @@ from dataclasses import replace
 from fnmatch import fnmatch
 
 from jktools.diagnostics import UNUSED_SUPPRESSION, Diagnostic, Label
+from jktools.linter.rule import BUG_FAMILY
 from jktools.session.settings import Ignore, Settings
 from jktools.source.container import PACK_SEPARATOR
 
@@ -24,7 +25,11 @@ def with_settings(found: Sequence[Diagnostic], settings: Settings, used: set[int
 
 
 def _hides(entry: Ignore, diagnostic: Diagnostic) -> bool:
-    if entry.code != diagnostic.code.id or not _matches(entry.path, diagnostic.path):
+    if (
+        diagnostic.code.id.startswith(BUG_FAMILY)
+        or entry.code != diagnostic.code.id
+        or not _matches(entry.path, diagnostic.path)
+    ):
         return False
     subject = diagnostic.subject
     if not entry.object:
@@ -37,8 +42,8 @@ def _hides(entry: Ignore, diagnostic: Diagnostic) -> bool:
 
 def _matches(pattern: str, path: str) -> bool:
     """Whether a shell pattern names a path or, from a slash or `!` on, its end; case does not count."""
-    path, pattern = path.lower(), pattern.lower()
-    return any(fnmatch(path, lead + pattern) for lead in ("", "*/", f"*{PACK_SEPARATOR}"))
+    path, pattern = "/" + path.lower(), pattern.lower()
+    return any(fnmatch(path, lead + pattern) for lead in ("", "/", "*/", f"*{PACK_SEPARATOR}"))
 
 
 def unused_ignores(settings: Settings, used: set[int], seen: Sequence[str], ran: Sequence[str]) -> list[Diagnostic]:

@@ -58,7 +58,9 @@ def extract(typed: str, folder: Path, patterns: Sequence[str] = (), progress: Pr
 def _matching(container: Container, patterns: Sequence[str]) -> Sequence[Member]:
     wanted: set[int] = set()
     for pattern in patterns:
-        matched = {i for i, m in enumerate(container.members) if fnmatchcase(canonical(m.name), canonical(pattern))}
+        name = canonical(pattern)
+        exact = {i for i, m in enumerate(container.members) if canonical(m.name) == name}
+        matched = exact or {i for i, m in enumerate(container.members) if fnmatchcase(canonical(m.name), name)}
         if not matched:
             raise InputError(f"cannot extract from {container.path}: no file in it matches {pattern}")
         wanted |= matched

@@ -25,6 +25,9 @@ def write_parts(target: Path, parts: Iterable[bytes | memoryview], *, durable: b
     When a piece cannot be made the target stays as it was. Raises InputError.
     """
     try:
+        target = target.resolve() if target.is_symlink() else target
+        if target.exists() and not target.is_file() and not target.is_dir():
+            return _write_through(target, parts)
         target.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:60]}-")
         fresh = Path(name)
@@ -42,6 +45,12 @@ def write_parts(target: Path, parts: Iterable[bytes | memoryview], *, durable: b
     except OSError as error:
         raise InputError(f"cannot write {target}: {(error.strerror or str(error)).lower()}") from error
     return size
+
+
+def _write_through(target: Path, parts: Iterable[bytes | memoryview]) -> int:
+    """Write to a device or a pipe, which must not be replaced by a file."""
+    with target.open("wb", buffering=0) as stream:
+        return sum(stream.write(part) for part in parts)
 
 
 def _umask() -> int:

@@ -86,12 +86,18 @@ def describe(error: OSError) -> str:
     return (error.strerror or str(error)).lower()
 
 
+def displayed(path: str) -> str:
+    """A path that can be shown and written: bytes that are no UTF-8 as escapes."""
+    return path.encode("utf-8", "surrogateescape").decode("utf-8", "backslashreplace")
+
+
 def file_member(path: Path, shown: str, name: str) -> Member:
     """A file on disk as a member. Raises InputError when it is not there."""
     try:
         size = path.stat().st_size
     except OSError as error:
         raise InputError(f"cannot read {shown}: {describe(error)}") from error
+    shown, name = displayed(shown), displayed(name)
     return Member(shown, name, size, size, lambda: read_file(path, shown), path)
 
 

@@ -23,12 +23,19 @@ def resolve(typed: str) -> Target:
     pack by its extension or its first bytes, one in a pack by its extension, or because more follows. Raises
     InputError.
     """
+    if not typed:
+        raise InputError("cannot read an empty path")
     shown = typed.replace("\\", "/") if "\\" in typed and not _exists(Path(typed)) else typed
     for outer, inner in _splits(shown):
         path = Path(outer)
         if _exists(path):
             return _descend(_open(outer, path), inner)
     raise InputError(f"cannot read {shown}: no such file or folder")
+
+
+def on_disk(typed: str) -> Path:
+    """The part of a path that is on disk: the longest prefix that exists, or all of it when none does."""
+    return next((Path(outer) for outer, _ in _splits(typed) if outer and _exists(Path(outer))), Path(typed))
 
 
 def _splits(typed: str) -> Iterator[tuple[str, str]]:
@@ -51,6 +58,8 @@ def _exists(path: Path) -> bool:
 def _open(shown: str, path: Path) -> Target:
     if path.is_dir():
         return Folder(shown, path)
+    if not path.is_file():
+        raise InputError(f"cannot read {shown}: it is neither a file nor a folder")
     if is_pack(shown, path):
         return open_pack(PackBytes.mapped(shown, path))
     return file_member(path, shown, path.name)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Mapping
 from types import MappingProxyType
 
@@ -27,12 +28,14 @@ from jktools.source import Source, Span
 BUFFER_SIZE: Mapping[str, int] = MappingProxyType({"jk": 1024, "mots": 2048})
 """Bytes of the engine's line buffer, by game (stdConffile in the decompiled engine)."""
 
+_SEPARATOR = r"[ \t\r\f\v,]"
+_WORD = r"[^ \t\r\f\v,]"
 _JOINED_KINDS = (
-    (r"[\s,]*$", BLANK),
-    (r"[\s,]*section:", SECTION),
-    (r"[\s,]*world[\s,]+\S", WORLD),
-    (r"[\s,]*end(?![^\s,])", END),
-    (r"[\s,]*sector(?![^\s,])", SECTOR),
+    (rf"{_SEPARATOR}*$", BLANK),
+    (rf"{_SEPARATOR}*section:", SECTION),
+    (rf"{_SEPARATOR}*world{_SEPARATOR}+{_WORD}", WORLD),
+    (rf"{_SEPARATOR}*end(?!{_WORD})", END),
+    (rf"{_SEPARATOR}*sector(?!{_WORD})", SECTOR),
 )
 """What the native reader says of a line, for the few that are joined from several physical ones."""
 
@@ -56,6 +59,8 @@ class LogicalLines:
         self.end: Int64 = np.where(np.diff(self._segments) == 1, self._segment_end[first], -1)
         """Byte range of each line; a line joined from several physical ones has the end -1."""
         self.kinds: UInt8 = self._kinds()
+        self._marks: list[int] = np.flatnonzero(self.kinds & (SECTION | WORLD | END)).tolist()
+        self._sectors: list[int] = np.flatnonzero(self.kinds & SECTOR).tolist()
 
     def _kinds(self) -> UInt8:
         kinds = line_kinds(self.octets, self.start, self.end)
@@ -67,16 +72,23 @@ class LogicalLines:
     def __len__(self) -> int:
         return len(self.start)
 
+    def next_sector(self, line: int) -> int:
+        """The first line from `line` on that starts a sector, or the number of lines."""
+        at = bisect_left(self._sectors, line)
+        return self._sectors[at] if at < len(self._sectors) else len(self)
+
     def next_of(self, kinds: int, line: int) -> int:
-        """The first line from `line` on that is of one of these kinds, or the number of lines."""
-        found = np.flatnonzero(self.kinds[line:] & kinds)
-        return line + int(found[0]) if len(found) else len(self)
+        """The first line from `line` on that is of one of the kinds SECTION, WORLD, END, or the number of lines."""
+        for at in range(bisect_left(self._marks, line), len(self._marks)):
+            if self.kinds[self._marks[at]] & kinds:
+                return self._marks[at]
+        return len(self)
 
     def word_counts(self, lines: npt.NDArray[np.intp]) -> npt.NDArray[np.int32]:
         """How many fields each of some lines has; commas part them."""
         counts = word_counts(self.octets, self.start[lines], self.end[lines])
         for i in np.flatnonzero(self.end[lines] < 0).tolist():
-            counts[i] = len(self.text(int(lines[i])).replace(",", " ").split())
+            counts[i] = len(re.findall(f"{_WORD}+", self.text(int(lines[i]))))
         return counts
 
     def text(self, line: int) -> str:

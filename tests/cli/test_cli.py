@@ -86,7 +86,7 @@ def test_one_path_that_cannot_be_read_does_not_lose_the_others(capsys: pytest.Ca
     [
         ("empty.jkl", b"", 1),
         ("garbage.jkl", bytes(range(256)) * 100, 1),
-        ("nul.jkl", b"\0" * 10_000, 1),
+        ("zeros.jkl", b"\0" * 10_000, 1),
         ("empty.gob", b"", 2),
         ("cut.gob", gob_of([("jkl\\a.jkl", TWO_ROOMS.encode())])[:100], 2),
         ("cut_data.gob", gob_of([("jkl\\a.jkl", TWO_ROOMS.encode())])[:-500], 1),

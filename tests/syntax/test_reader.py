@@ -47,7 +47,7 @@ def test_several_broken_records_are_all_told_and_the_rest_is_read() -> None:
         ("JK001", line_of(text, "3: 0 x 0"), "x"),
         ("JK001", line_of(text, "7: 0 1"), "7: 0 1"),
         ("JK001", line_of(text, "1: 0x7"), "1: 0x7"),
-        ("JK001", line_of(text, "1: ghost"), "1: ghost"),
+        ("JK002", line_of(text, "1: ghost"), "1: ghost"),
     ]
     assert [d.message for d in level.diagnostics] == [
         'vertex 3: expected the y, a number, but found "x"',

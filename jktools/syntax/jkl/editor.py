@@ -12,6 +12,7 @@ from jktools.diagnostics import Severity
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context, quote
 from jktools.syntax.jkl.document import EditorLayer, EditorLights
+from jktools.syntax.jkl.rows import ints
 from jktools.syntax.lines import BLANK, END, SECTION
 
 _BY_WORDS = {len(r.fields): r for r in (records.LIGHT_JED, records.LIGHT_SED, records.LIGHT_RGB)}
@@ -66,7 +67,7 @@ def read_layers(context: Context) -> tuple[EditorLayer, ...]:
 
 def _members(context: Context, texts: list[tuple[int, str]], at: int) -> tuple[tuple[int, ...], int]:
     """One list of indices, which may go on over lines, and where the next thing starts."""
-    wanted = re.match(r"\s*(\d+):", texts[at][1]) if at < len(texts) else None
+    wanted = re.match(r"[ \t]*([0-9]+):", texts[at][1]) if at < len(texts) else None
     if wanted is None:
         place, found = (texts[at][0], quote(texts[at][1])) if at < len(texts) else (context.source, "the end")
         context.fault(
@@ -75,13 +76,15 @@ def _members(context: Context, texts: list[tuple[int, str]], at: int) -> tuple[t
         )  # fmt: skip
         return (), at
     numbers: list[int] = []
-    count = int(wanted.group(1))
+    count = ints([wanted.group(1)])[0][0]
     first = True
     while at < len(texts) and (first or len(numbers) < count):
         try:
-            _, fields = records.parse_any("layer_members", texts[at][1])
+            alias, fields = records.parse_any("layer_members", texts[at][1])
         except lark.UnexpectedInput:
             break
-        numbers += [int(field) for field in fields[first:]]
+        if not first and alias != "layer_more":
+            break
+        numbers += ints([str(field) for field in fields[first:]])[0]
         at, first = at + 1, False
     return tuple(numbers), at

@@ -71,6 +71,8 @@ def read_georesource(context: Context) -> GeoResource:
     return GeoResource(colormaps, vertices, texture_vertices, adjoins, surfaces, normals)
 
 
+_HEADING_TAIL = re.compile(r"(colormaps|vertices|adjoins|surfaces)[ \t]+[0-9]+[ \t\r]*$", re.IGNORECASE)
+
 _BOUNDARY = SECTION | WORLD | END
 """What ends a block: whatever cannot be a record of it."""
 
@@ -78,7 +80,25 @@ _BOUNDARY = SECTION | WORLD | END
 def _block(context: Context, words: str, record: Record, kind: str) -> tuple[Heading | None, Rows]:
     """Read the records behind a heading."""
     heading = context.heading(words)
-    return heading, context.rows(record, kind, context.block(_BOUNDARY, blank=record.scanned))
+    first = context.at
+    lines = context.block(_BOUNDARY, blank=record.scanned)
+    misspelt = _misspelt_heading(context, lines)
+    if misspelt is not None:
+        lines, context.at = lines[lines < misspelt], max(first, misspelt)
+    return heading, context.rows(record, kind, lines)
+
+
+def _misspelt_heading(context: Context, lines: npt.NDArray[np.intp]) -> int | None:
+    """The first of some lines that is a heading but for its spelling: without this it would hide all that follows.
+
+    Records start with a digit, so that few lines are looked at.
+    """
+    starts = context.lines.start[lines]
+    letters = np.flatnonzero(context.lines.octets[np.minimum(starts, len(context.lines.octets) - 1)] >= ord("A"))
+    for i in letters.tolist():
+        if _HEADING_TAIL.search(context.lines.text(int(lines[i]))):
+            return int(lines[i])
+    return None
 
 
 def _vertices(context: Context) -> Vertices:
@@ -221,7 +241,7 @@ def _tail(
 def _numbers(context: Context, line: int, count: int, fields: Sequence[str], subject: Subject) -> list[str]:
     """What stands behind a surface's fields; of words that are no numbers the prefix that the engine reads."""
     rest = list(fields[_FEWEST_SURFACE_WORDS:])
-    words = list(re.finditer(r"[^\s,]+", context.lines.text(line)))[_FEWEST_SURFACE_WORDS:]
+    words = list(re.finditer(r"[^ \t\r\f\v,]+", context.lines.text(line)))[_FEWEST_SURFACE_WORDS:]
     if len(rest) == len(words) and all(map(_is_whole, rest[: 2 * count])):
         return rest
     taken = []

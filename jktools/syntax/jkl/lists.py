@@ -48,17 +48,20 @@ COLORMAPS = ListSection("colormaps", "world colormaps", "colormap", refuses_surp
 def read_list(context: Context, section: ListSection) -> NameList:
     """Read a list section behind its `section:` line."""
     heading = context.heading(section.heading)
-    rows = read_until_end(context, section.record, section.kind)
+    rows = read_until_end(context, section.record, section.kind, heading)
     return name_list(context, section, heading, rows)
 
 
-def read_until_end(context: Context, record: Record, kind: str) -> Rows:
-    """Read records up to `end`; a section that lacks it is told of and ends where the next begins."""
+def read_until_end(context: Context, record: Record, kind: str, heading: Heading | None) -> Rows:
+    """Read records up to `end`; a section that lacks it is told of and ends where the next begins.
+
+    A list that announces no entry needs no `end`: the engine's list parsers return at once.
+    """
     first = context.at
     rows = context.rows(record, kind, context.block(SECTION | END, blank=False))
     if context.at_end_word():
         context.at += 1
-    elif len(rows) or not context.done:
+    elif (len(rows) or not context.done) and not (heading is not None and heading.count == 0):
         context.fault(
             faults.MISSING_END, max(first - 1, context.at - 1),
             f'the list of {kind}s has no "end"' + ("" if context.done else ", but the engine reads it up to one"),

@@ -29,7 +29,7 @@ def _parameters(start: Int32, words: Sequence[str]) -> Parameters:
 def read_cogs(context: Context) -> Cogs:
     """Read the section behind its `section:` line."""
     heading = context.heading("world cogs")
-    rows = read_until_end(context, records.COG, "cog")
+    rows = read_until_end(context, records.COG, "cog", heading)
     start, values = rows.tails()
     return Cogs(heading, rows.line_column(), rows.broken(), rows.word_column("script"), start, tuple(values))
 
@@ -37,7 +37,7 @@ def read_cogs(context: Context) -> Cogs:
 def read_templates(context: Context) -> Templates:
     """Read the section behind its `section:` line."""
     heading = context.heading("world templates")
-    rows = read_until_end(context, records.TEMPLATE, "template")
+    rows = read_until_end(context, records.TEMPLATE, "template", heading)
     if heading is not None and len(rows) > heading.count:
         context.fault(
             faults.COUNT_MISMATCH, int(rows.lines[heading.count]),
@@ -57,7 +57,7 @@ def read_templates(context: Context) -> Templates:
 def read_things(context: Context) -> Things:
     """Read the section behind its `section:` line."""
     heading = context.heading("world things")
-    rows = read_until_end(context, records.THING, "thing")
+    rows = read_until_end(context, records.THING, "thing", heading)
     start, words = rows.tails()
     # Mysteries of the Sith: the field behind the sector is an index when it has no '='.
     first = [words[a] if a < b else "" for a, b in pairwise(start.tolist())]

@@ -20,7 +20,7 @@ from jktools.syntax.jkl.georesource import GeoResource, read_georesource
 from jktools.syntax.jkl.lists import COLORMAPS, SECTIONS, read_list
 from jktools.syntax.jkl.objects import read_cogs, read_templates, read_things
 from jktools.syntax.jkl.records import HEADER_LINES
-from jktools.syntax.jkl.rows import floats
+from jktools.syntax.jkl.rows import floats, ints
 from jktools.syntax.jkl.sectors import read_sectors
 from jktools.syntax.lines import SECTION
 
@@ -155,7 +155,7 @@ def _read_header(context: Context) -> Header:
     lines: dict[str, int] = {}
     expected = 0
     while not context.at_section() and not context.at_end_word():
-        text = " ".join(context.text().lower().split()) + " "
+        text = records.keywords(context.text())
         alias = next((a for a in order if text.startswith(HEADER_LINES[a].keyword + " ")), None)
         wanted = order[min(expected, len(order) - 1)]
         if alias is None or alias != wanted:
@@ -180,9 +180,16 @@ def _read_header(context: Context) -> Header:
             f'the header ends here, but "{HEADER_LINES[order[expected]].keyword}" should follow',
             "write the 11 lines of HEADER in their order",
         )  # fmt: skip
-    version = int(values.pop("version", ["0"])[0])
+    version = str(values.pop("version", ["0"])[0])
+    (number,), outside = ints([version])
+    if outside:
+        context.beyond(lines["version"], "header", 0, "version", version)
     decimals = {alias: floats(list(map(str, fields))) for alias, fields in values.items()}
-    return Header(version, MappingProxyType(decimals), MappingProxyType(lines))
+    for alias, taken in decimals.items():
+        for i in np.flatnonzero(np.isinf(taken)).tolist():
+            name = HEADER_LINES[alias].keyword
+            context.beyond(lines[alias], "header", order.index(alias), name, str(values[alias][i]))
+    return Header(number, MappingProxyType(decimals), MappingProxyType(lines))
 
 
 def _read_arch_lights(context: Context) -> ArchLights:

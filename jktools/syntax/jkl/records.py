@@ -28,7 +28,7 @@ _PREFIX: Mapping[Kind, str] = MappingProxyType(
     {
         Kind.LABEL: r"[-+]?\d+:",
         Kind.INT: r"[-+]?\d+",
-        Kind.HEX: r"(?:0[xX])?[0-9a-fA-F]+",
+        Kind.HEX: r"[-+]?(?:0[xX])?[0-9a-fA-F]+",
         Kind.FLOAT: r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?",
         Kind.WORD: r"\S+",
     }
@@ -36,7 +36,13 @@ _PREFIX: Mapping[Kind, str] = MappingProxyType(
 
 
 WORD = re.compile(r"[^ \t\r\f\v]+")
-"""A word as the grammar parts them; `str.split` parts at more control bytes."""
+"""A word as the grammar parts them; `str.split` and `\\s` take more control bytes for blanks than the engine does."""
+
+
+def keywords(text: str) -> str:
+    """The words of a line in lower case, each followed by one blank."""
+    return "".join(word + " " for word in WORD.findall(text.lower()))
+
 
 _LETTER = {Kind.LABEL: "L", Kind.INT: "i", Kind.HEX: "h", Kind.FLOAT: "f", Kind.WORD: "w"}
 

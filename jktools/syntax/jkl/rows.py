@@ -32,11 +32,27 @@ def floats(texts: Sequence[str]) -> Float32:
 def ints(texts: Sequence[str], base: int = 10) -> tuple[list[int], list[int]]:
     """Whole numbers held within the engine's 32 bits, and the positions of those that did not fit."""
     least, most = (INT32_LEAST, INT32_MOST) if base == 10 else (0, UINT32_MOST)
-    values = [int(text, base) for text in texts]
+    values = [_whole(text, base) for text in texts]
     outside = [i for i, value in enumerate(values) if not least <= value <= most]
     for i in outside:
         values[i] = min(max(values[i], least), most)
     return values, outside
+
+
+MOST_DIGITS = 40
+"""Digits that are read; a number with more is beyond 32 bits whatever they are, and Python refuses thousands."""
+
+
+def _whole(text: str, base: int) -> int:
+    """A whole number; in hex a minus wraps around, as scanf has it."""
+    negative = text.startswith("-")
+    digits = text.lstrip("+-").lstrip("0") or "0"
+    value = (
+        int(digits if digits[:1] not in "xX" else "0" + digits, base) if len(digits) <= MOST_DIGITS else 10**MOST_DIGITS
+    )
+    if negative and base == 16:
+        return (UINT32_MOST + 1 - value) % (UINT32_MOST + 1) if value <= UINT32_MOST else UINT32_MOST + 1
+    return -value if negative else value
 
 
 class _Fast(NamedTuple):

@@ -16,7 +16,7 @@ from jktools.syntax.jkl.context import Context, quote
 from jktools.syntax.jkl.document import Heading, Int32, Sectors
 from jktools.syntax.jkl.records import OPTIONAL_SECTOR_LINES, SECTOR_LINES
 from jktools.syntax.jkl.rows import floats, ints, merge
-from jktools.syntax.lines import END, SECTION, SECTOR
+from jktools.syntax.lines import END, SECTION
 
 _ORDER = tuple(SECTOR_LINES)
 
@@ -66,7 +66,7 @@ def read_sectors(context: Context) -> Sectors:
     """Read the section behind its `section:` line."""
     heading = context.heading("world sectors")
     first, last = context.at, context.lines.next_of(SECTION | END, context.at)
-    start = min(context.lines.next_of(SECTOR, first), last)
+    start = min(context.lines.next_sector(first), last)
     _Slow(context, first, start, 0).read()
     fast = _Native(*native_read_sectors(
         context.lines.octets, context.lines.start[start:last], context.lines.end[start:last]
@@ -191,7 +191,7 @@ class _Slow:
 
 def _alias(text: str) -> str | None:
     """Which sector line this is, by its keyword."""
-    words = " ".join(text.lower().split()) + " "
+    words = records.keywords(text)
     return next((alias for alias in _ORDER if words.startswith(SECTOR_LINES[alias].keyword + " ")), None)
 
 

@@ -10,12 +10,16 @@ def missing_end() -> None:
 
     ## Why it matters
     The engine reads entries until it meets `end`: it swallows the sections that follow. At the end of the file the
-    fault does no harm and is a warning.
+    fault does no harm and is a warning; a list that announces no entry needs no end.
 
     ## Bad
-        World scripts 0
+        World templates 3
         - end
 
     ## Good
+        World templates 3
+
+    ## Good
         World scripts 0
+        - end
     """

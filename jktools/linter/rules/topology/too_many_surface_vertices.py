@@ -8,8 +8,9 @@ from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
+from jktools.model.level import MOST_CORNERS
 
-MOST_VERTICES = 24
+MOST_VERTICES = MOST_CORNERS
 """Corners of one surface (sithSurface_Load in the decompiled engine)."""
 
 
