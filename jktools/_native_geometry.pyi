@@ -7,6 +7,88 @@ from typing import Annotated
 import numpy
 from numpy.typing import NDArray
 
+class Viewer:
+    """A level's sectors made ready for sight queries; immutable."""
+
+    def __init__(
+        self,
+        positions: Annotated[
+            NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        surface_start: Annotated[
+            NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        surface_vertex: Annotated[
+            NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        leads_to: Annotated[
+            NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        sector_first: Annotated[
+            NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        sector_count: Annotated[
+            NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+    ) -> None:
+        """
+        Copy and check the mesh: positions (3n,) float64, JKU; the rest int32.
+
+        leads_to is the sector behind each surface, -1 where sight does not pass. Raises ValueError naming the
+        index that is out of bounds.
+        """
+
+    def sight(
+        self,
+        origins: Annotated[
+            NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        sectors: Annotated[
+            NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        targets: Annotated[
+            NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        accuracy: str,
+        threads: int,
+    ) -> tuple[
+        Annotated[NDArray[numpy.uint8], dict(shape=(None,))],
+        Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+        Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    ]:
+        """
+        Answer (visible, crossed, blocker), uint8 and int32, one entry a query.
+
+        origins and targets are (3n,) float64, JKU; sectors (n,) int32. Raises ValueError naming the row that is
+        out of bounds.
+        """
+
+    def explain(
+        self,
+        origin: Annotated[
+            NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        sector: int,
+        target: Annotated[
+            NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+    ) -> tuple[
+        bool,
+        Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+        Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+        Annotated[NDArray[numpy.float64], dict(shape=(None,))],
+    ]:
+        """
+        Answer (visible, sectors, surfaces, leave) of the way that decides one query.
+
+        Entry i is a sector, the surface through which it is left (-1: the segment ends there) and how far along
+        the segment, 0 to 1.
+        """
+
+    @property
+    def memory(self) -> int:
+        """Bytes of native memory held."""
+
 def sector_convexity(
     positions: Annotated[
         NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
