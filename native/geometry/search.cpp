@@ -76,8 +76,9 @@ private:
 
     bool tried(const State& state) const {
         return std::any_of(tried_.begin(), tried_.end(), [&](const State& other) {
-            return other.sector == state.sector && state.entry.has_value() == other.entry.has_value() &&
-                   (!state.entry || compare(fans_, segment_, *state.entry, *other.entry) == 0);
+            if (other.sector != state.sector) return false;
+            if (!other.entry) return !state.entry || state.entry->from.sign == 0;
+            return state.entry && compare(fans_, segment_, *state.entry, *other.entry) == 0;
         });
     }
 

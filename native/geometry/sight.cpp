@@ -30,7 +30,7 @@ void share_out(std::size_t rows, unsigned threads, const Work& work) {
 
 }  // namespace
 
-Viewer::Viewer(SectorMesh mesh) : mesh_(std::move(mesh)), fans_(mesh_) {}
+Viewer::Viewer(SectorMesh mesh) : mesh_(std::move(mesh)), fans_(mesh_), rooms_(mesh_, fans_) {}
 
 void Viewer::check(std::span<const double> origins, std::span<const Index> sectors,
                    std::span<const double> targets) const {
@@ -59,7 +59,8 @@ void Viewer::answer(std::size_t row, std::span<const double> origins, std::span<
         out.visible[row] = found.visible, out.crossed[row] = found.crossed, out.blocker[row] = found.blocker;
         return;
     }
-    const Verdict found = search(mesh_, fans_, sectors[row], segment);
+    Doubts doubts;
+    const Verdict found = walk(mesh_, fans_, rooms_, sectors[row], segment, doubts);
     out.visible[row] = found.visible, out.crossed[row] = found.crossed, out.blocker[row] = found.blocker;
 }
 
@@ -69,10 +70,20 @@ Verdict Viewer::explain(std::span<const double> origin, Index sector, std::span<
     return search(mesh_, fans_, sector, {origin.data(), target.data()}, &path);
 }
 
+Doubts Viewer::doubts(std::span<const double> origins, std::span<const Index> sectors,
+                      std::span<const double> targets) const {
+    check(origins, sectors, targets);
+    Doubts doubts;
+    for (std::size_t row = 0; row < sectors.size(); ++row)
+        walk(mesh_, fans_, rooms_, sectors[row], {origins.data() + 3 * row, targets.data() + 3 * row}, doubts);
+    return doubts;
+}
+
 std::size_t Viewer::memory() const {
     const auto bytes = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
     return bytes(mesh_.positions) + bytes(mesh_.surface_start) + bytes(mesh_.surface_vertex) + bytes(mesh_.leads_to) +
-           bytes(mesh_.sector_first) + bytes(mesh_.sector_count) + bytes(fans_.triangles) + bytes(fans_.start);
+           bytes(mesh_.sector_first) + bytes(mesh_.sector_count) + bytes(fans_.triangles) + bytes(fans_.start) +
+           rooms_.memory();
 }
 
 }  // namespace jk

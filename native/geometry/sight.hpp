@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "geometry/mesh.hpp"
+#include "geometry/rooms.hpp"
 #include "geometry/search.hpp"
+#include "geometry/walk.hpp"
 
 namespace jk {
 
@@ -33,6 +35,10 @@ public:
     Verdict explain(std::span<const double> origin, Index sector, std::span<const double> target,
                     std::vector<Step>& path) const;
 
+    // How often `balanced` was in doubt over these queries, on one thread.
+    Doubts doubts(std::span<const double> origins, std::span<const Index> sectors,
+                  std::span<const double> targets) const;
+
     // Bytes held, the mesh included.
     std::size_t memory() const;
 
@@ -43,6 +49,7 @@ private:
 
     SectorMesh mesh_;
     Fans fans_;
+    Rooms rooms_;
 };
 
 }  // namespace jk

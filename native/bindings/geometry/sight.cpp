@@ -2,7 +2,6 @@
 #include "geometry/sight.hpp"
 
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/unique_ptr.h>
 
 #include <stdexcept>
 #include <string>
@@ -20,11 +19,11 @@ Tier tier_of(const std::string& name) {
     throw std::invalid_argument("accuracy must be fast, balanced or exact, not " + name);
 }
 
-auto make(Array<double> positions, Array<Index> surface_start, Array<Index> surface_vertex, Array<Index> leads_to,
-          Array<Index> sector_first, Array<Index> sector_count) {
+void make(Viewer* viewer, Array<double> positions, Array<Index> surface_start, Array<Index> surface_vertex,
+          Array<Index> leads_to, Array<Index> sector_first, Array<Index> sector_count) {
     nb::gil_scoped_release release;
-    return std::make_unique<Viewer>(make_mesh(view(positions), view(surface_start), view(surface_vertex),
-                                              view(leads_to), view(sector_first), view(sector_count)));
+    new (viewer) Viewer(make_mesh(view(positions), view(surface_start), view(surface_vertex), view(leads_to),
+                                  view(sector_first), view(sector_count)));
 }
 
 auto sight(const Viewer& viewer, Array<double> origins, Array<Index> sectors, Array<double> targets,
@@ -53,11 +52,17 @@ auto explain(const Viewer& viewer, Array<double> origin, Index sector, Array<dou
                            hand_over(std::move(leave)));
 }
 
+auto doubts(const Viewer& viewer, Array<double> origins, Array<Index> sectors, Array<double> targets) {
+    nb::gil_scoped_release release;
+    const Doubts found = viewer.doubts(view(origins), view(sectors), view(targets));
+    return std::make_tuple(found.sectors, found.queries);
+}
+
 }  // namespace
 
 void open_sight(nb::module_& m) {
     nb::class_<Viewer>(m, "Viewer", "A level's sectors made ready for sight queries; immutable.")
-        .def(nb::new_(&make), nb::arg("positions"), nb::arg("surface_start"), nb::arg("surface_vertex"),
+        .def("__init__", &make, nb::arg("positions"), nb::arg("surface_start"), nb::arg("surface_vertex"),
              nb::arg("leads_to"), nb::arg("sector_first"), nb::arg("sector_count"),
              "Copy and check the mesh: positions (3n,) float64, JKU; the rest int32.\n\n"
              "leads_to is the sector behind each surface, -1 where sight does not pass. Raises ValueError naming the\n"
@@ -71,6 +76,8 @@ void open_sight(nb::module_& m) {
              "Answer (visible, sectors, surfaces, leave) of the way that decides one query.\n\n"
              "Entry i is a sector, the surface through which it is left (-1: the segment ends there) and how far along\n"
              "the segment, 0 to 1.")
+        .def("doubts", &doubts, nb::arg("origins"), nb::arg("sectors"), nb::arg("targets"),
+             "Count (sectors, queries) that the walk of `balanced` left to the complete search.")
         .def_prop_ro("memory", &Viewer::memory, "Bytes of native memory held.");
 }
 

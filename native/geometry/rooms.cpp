@@ -1,0 +1,239 @@
+#include "geometry/rooms.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace jk {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr double kUnit = 0x1p-24;  // rounding of float32
+constexpr float kFar = std::numeric_limits<float>::infinity();
+// Sides are grouped and triangles trusted within this lean (1-norm of the difference of unit normals): rounding to
+// float32 leans a real level's triangles by 1e-6, and the bound costs the walk as much of a segment's length.
+constexpr double kMostTilt = 1e-4;
+// A triangle whose doubled area is below this part of its longest edge squared has no trustworthy plane in doubles:
+// above it the normal's error stays below 2^-29.
+constexpr double kThinnest = 0x1p-20;
+constexpr double kNormalError = 0x1p-29;
+// Edges and needles below this part of the sector's size are left out, their length added to the margin.
+constexpr double kShortest = 1e-5;
+constexpr double kPadding = 1.001;
+
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double length(const Vector& a) { return std::sqrt(dot(a, a)); }
+double norm1(const Vector& a) { return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]); }
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vector scaled(const Vector& a, double factor) { return {a[0] * factor, a[1] * factor, a[2] * factor}; }
+
+struct Plane {
+    Vector normal;
+    double offset;
+};
+
+struct Wall {  // a side in the making
+    Plane plane;  // as rounded to float32
+    std::vector<Index> surfaces;
+};
+
+class Builder {
+public:
+    Builder(const SectorMesh& mesh, const Fans& fans, Rooms& out) : mesh_(mesh), fans_(fans), out_(out) {}
+
+    void add(std::size_t sector) {
+        first_ = mesh_.sector_first[sector];
+        end_ = first_ + mesh_.sector_count[sector];
+        measure();
+        walls_.clear();
+        still_ = tilt_ = farthest_ = 0;
+        room_.plane = static_cast<Index>(out_.planes.size());
+        room_.needle = static_cast<Index>(out_.needles.size());
+        for (Index s = first_; s < end_; ++s) place(s);
+        for (std::size_t w = 0; w < walls_.size(); ++w) pack(w);
+        room_.planes = static_cast<Index>(out_.planes.size()) - room_.plane;
+        room_.needles = static_cast<Index>(out_.needles.size()) - room_.needle;
+        room_.still = static_cast<float>((still_ + 4 * kUnit * farthest_) * kPadding);
+        room_.tilt = static_cast<float>((tilt_ + 9 * kUnit) * kPadding);
+        out_.rooms.push_back(room_);
+    }
+
+private:
+    void measure() {
+        Vector low, high;
+        low.fill(std::numeric_limits<double>::infinity());
+        high.fill(-std::numeric_limits<double>::infinity());
+        for (Index c = mesh_.surface_start[first_]; c < mesh_.surface_start[end_]; ++c)
+            for (std::size_t k = 0; k < 3; ++k) {
+                low[k] = std::min(low[k], mesh_.vertex(mesh_.surface_vertex[c])[k]);
+                high[k] = std::max(high[k], mesh_.vertex(mesh_.surface_vertex[c])[k]);
+            }
+        radius_ = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            room_.center[k] = low[k] <= high[k] ? low[k] / 2 + high[k] / 2 : 0;
+            radius_ = std::max(radius_, high[k] - room_.center[k]);
+        }
+    }
+
+    Vector local(const double* p) const {
+        return {p[0] - room_.center[0], p[1] - room_.center[1], p[2] - room_.center[2]};
+    }
+
+    std::vector<Vector> corners(Index surface) const {
+        std::vector<Vector> out;
+        for (Index c = mesh_.surface_start[surface]; c < mesh_.surface_start[surface + 1]; ++c)
+            out.push_back(local(mesh_.vertex(mesh_.surface_vertex[c])));
+        return out;
+    }
+
+    // Along the polygon's vector area through the mean of its vertices, rounded to float32.
+    static Plane plane_of(const std::vector<Vector>& polygon) {
+        Vector area{0, 0, 0}, mean{0, 0, 0};
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Vector turn = cross(minus(polygon[i], polygon[0]), minus(polygon[(i + 1) % polygon.size()], polygon[0]));
+            for (std::size_t k = 0; k < 3; ++k) {
+                area[k] += turn[k];
+                mean[k] += polygon[i][k] / static_cast<double>(polygon.size());
+            }
+        }
+        const Vector normal = scaled(area, 1 / length(area));
+        Plane plane{normal, -dot(normal, mean)};
+        for (double& x : plane.normal) x = static_cast<float>(x);
+        plane.offset = static_cast<float>(plane.offset);
+        return plane;
+    }
+
+    // Puts a surface on a wall that it lies in, or on a new one.
+    void place(Index surface) {
+        if (fans_.start[surface] == fans_.start[surface + 1]) return;  // without area it is never crossed
+        const std::vector<Vector> polygon = corners(surface);
+        const Plane plane = plane_of(polygon);
+        if (!(norm1(plane.normal) < 2)) {  // no direction, as when the fan folds back on itself
+            still_ = std::numeric_limits<double>::infinity();
+            return;
+        }
+        for (Wall& wall : walls_)
+            if (norm1(minus(wall.plane.normal, plane.normal)) < kMostTilt / 2 && lies_in(wall.plane, polygon)) {
+                wall.surfaces.push_back(surface);
+                return;
+            }
+        walls_.push_back({plane, {surface}});
+    }
+
+    bool lies_in(const Plane& plane, const std::vector<Vector>& polygon) const {
+        return std::all_of(polygon.begin(), polygon.end(), [&](const Vector& v) {
+            return std::abs(dot(plane.normal, v) + plane.offset) < kShortest * radius_;
+        });
+    }
+
+    void pack(std::size_t w) {
+        const Wall& wall = walls_[w];
+        const std::size_t lane = w % 4;
+        if (lane == 0) {
+            const Float4 zero{0, 0, 0, 0}, far{kFar, kFar, kFar, kFar};
+            out_.planes.push_back({zero, zero, zero, far});
+            out_.sides.resize(out_.sides.size() + 4);
+        }
+        PlaneBlock& block = out_.planes.back();
+        block.x[lane] = static_cast<float>(wall.plane.normal[0]);
+        block.y[lane] = static_cast<float>(wall.plane.normal[1]);
+        block.z[lane] = static_cast<float>(wall.plane.normal[2]);
+        block.d[lane] = static_cast<float>(wall.plane.offset);
+        farthest_ = std::max(farthest_, std::abs(wall.plane.offset));
+        const Vector size{std::abs(wall.plane.normal[0]), std::abs(wall.plane.normal[1]), std::abs(wall.plane.normal[2])};
+        const auto axis = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+        const auto first = static_cast<Index>(out_.polygons.size());
+        for (const Index surface : wall.surfaces) pack_polygon(surface, axis, wall.plane);
+        const auto count = static_cast<std::uint16_t>(out_.polygons.size() - static_cast<std::size_t>(first));
+        out_.sides[out_.sides.size() - 4 + lane] = {first, count, static_cast<std::uint16_t>(axis)};
+    }
+
+    // Bounds the triangle against the wall's plane, or lists it as a needle; returns what that adds to the margin.
+    double judge(Index triangle, const Plane& plane) {
+        const Fans::Triangle& t = fans_.triangles[static_cast<std::size_t>(triangle)];
+        const Vector a = local(t.a), b = local(t.b), c = local(t.c);
+        const Vector ab = minus(b, a), ac = minus(c, a), area = cross(ab, ac);
+        const double longest = std::max({length(ab), length(ac), length(minus(c, b))}), doubled = length(area);
+        if (doubled > kThinnest * longest * longest) {
+            const Vector normal = scaled(area, 1 / doubled);
+            const double lean = norm1(minus(normal, plane.normal)), shift = std::abs(-dot(normal, a) - plane.offset);
+            if (lean < kMostTilt) {
+                tilt_ = std::max(tilt_, lean + 2 * kNormalError);
+                still_ = std::max(still_, shift + 4 * kNormalError * radius_);
+                return 0;
+            }
+        }
+        out_.needles.push_back(triangle);
+        const double height = doubled / longest;
+        return height < kShortest * radius_ ? 2 * height : std::numeric_limits<double>::infinity();
+    }
+
+    void pack_polygon(Index surface, std::size_t axis, const Plane& plane) {
+        double left_out = 0, outside = 0;
+        for (Index t = fans_.start[surface]; t < fans_.start[surface + 1]; ++t) left_out += judge(t, plane);
+        const std::vector<Vector> polygon = corners(surface);
+        const std::size_t p = (axis + 1) % 3, q = (axis + 2) % 3, from = out_.polygons.size();
+        const double turn = plane.normal[axis] > 0 ? 1 : -1;
+        std::size_t lane = 4;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Vector& here = polygon[i];
+            const Vector& next = polygon[(i + 1) % polygon.size()];
+            const double along_p = turn * (next[p] - here[p]), along_q = turn * (next[q] - here[q]);
+            const double size = std::hypot(along_p, along_q);
+            if (size < kShortest * radius_) {
+                left_out += 2 * size;
+                continue;
+            }
+            if (lane == 4) lane = open_block(surface);
+            const double a = -along_q / size, b = along_p / size, c = -(a * here[p] + b * here[q]);
+            out_.polygons.back().a[lane] = static_cast<float>(a);
+            out_.polygons.back().b[lane] = static_cast<float>(b);
+            out_.polygons.back().c[lane] = static_cast<float>(c);
+            ++lane;
+            for (const Vector& v : polygon) outside = std::max(outside, -(a * v[p] + b * v[q] + c));
+        }
+        if (from == out_.polygons.size()) open_block(surface), left_out = std::numeric_limits<double>::infinity();
+        const double margin = (left_out + outside + 16 * kUnit * radius_) * kPadding;
+        for (std::size_t i = from; i < out_.polygons.size(); ++i) {
+            out_.polygons[i].margin = static_cast<float>(margin);
+            out_.polygons[i].continues = i + 1 < out_.polygons.size();
+        }
+    }
+
+    std::size_t open_block(Index surface) {
+        const Float4 zero{0, 0, 0, 0}, far{kFar, kFar, kFar, kFar};
+        out_.polygons.push_back({zero, zero, far, 0, surface, mesh_.leads_to[static_cast<std::size_t>(surface)], 0});
+        return 0;
+    }
+
+    const SectorMesh& mesh_;
+    const Fans& fans_;
+    Rooms& out_;
+    Room room_{};
+    Index first_ = 0, end_ = 0;
+    double radius_ = 0, still_ = 0, tilt_ = 0, farthest_ = 0;
+    std::vector<Wall> walls_;
+};
+
+}  // namespace
+
+Rooms::Rooms(const SectorMesh& mesh, const Fans& fans) {
+    Builder builder(mesh, fans, *this);
+    for (std::size_t s = 0; s < mesh.sectors(); ++s) builder.add(s);
+    planes.shrink_to_fit();
+    sides.shrink_to_fit();
+    polygons.shrink_to_fit();
+    needles.shrink_to_fit();
+}
+
+std::size_t Rooms::memory() const {
+    const auto bytes = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
+    return bytes(rooms) + bytes(planes) + bytes(sides) + bytes(polygons) + bytes(needles);
+}
+
+}  // namespace jk
