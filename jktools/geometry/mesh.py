@@ -104,8 +104,7 @@ class SectorMesh:
         Surface i has the vertices `surface_vertex[surface_start[i]:surface_start[i + 1]]`, counter-clockwise seen
         from inside its sector, and leads into the sector `leads_to[i]`, or BLOCKS. Sector i owns `sector_count[i]`
         surfaces from `sector_first[i]` on. Raises ValueError naming the index that is out of bounds, or a position
-        with a coordinate of 2^150 JKU and more or finer than 2^-172 JKU, which exact arithmetic in doubles cannot
-        take.
+        that is not finite or has a coordinate of 2^150 JKU or more.
         """
         viewer = Viewer(
             _points(positions), *(_integers(a) for a in (surface_start, surface_vertex, leads_to, sector_first)),
@@ -130,8 +129,8 @@ class SectorMesh:
 
         Walls only: things do not block, and every surface without a see-through adjoin does (research document).
         `balanced` and `exact` are exact in float64, `fast` is not. threads 0 means one a core; the answers are the
-        same for any number. Raises ValueError naming the row whose sector does not exist or whose coordinate cannot
-        be computed with.
+        same for any number. Raises ValueError naming the row whose sector does not exist or whose coordinate is
+        not finite or 2^150 JKU or more.
         """
         first = _integers(sectors)
         visible, crossed, blocker = self._viewer.sight(

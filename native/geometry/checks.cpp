@@ -5,16 +5,6 @@
 #include <string>
 
 namespace jk {
-namespace {
-
-bool exactly_computable(double x) {
-    const double magnitude = std::abs(x);
-    if (magnitude >= 0x1p-120) return magnitude < 0x1p150;
-    const double multiple = magnitude * 0x1p172;
-    return multiple == std::floor(multiple);  // false for a NaN too
-}
-
-}  // namespace
 
 void refuse(const char* what, std::size_t index, std::int64_t value) {
     throw std::invalid_argument(std::string(what) + " " + std::to_string(index) + " is out of bounds: " +
@@ -49,13 +39,13 @@ void check_finite(const char* what, std::span<const double> coordinates) {
             throw std::invalid_argument(std::string(what) + " " + std::to_string(i / 3) + " is not finite");
 }
 
-void check_exact(const char* what, std::span<const double> coordinates) {
+void check_coordinates(const char* what, std::span<const double> coordinates) {
     if (coordinates.size() % 3 != 0) throw std::invalid_argument(std::string(what) + "s must have shape (n, 3)");
     check_finite(what, coordinates);
     for (std::size_t i = 0; i < coordinates.size(); ++i)
-        if (!exactly_computable(coordinates[i]))
+        if (std::abs(coordinates[i]) >= kGreatestCoordinate)
             throw std::invalid_argument(std::string(what) + " " + std::to_string(i / 3) +
-                                        " has a coordinate beyond 2^150 or finer than 2^-172");
+                                        " has a coordinate of 2^150 or more");
 }
 
 }  // namespace jk

@@ -23,8 +23,10 @@ void check_ranges(const char* what, std::span<const std::int32_t> first, std::sp
 // Triples of finite numbers; names the triple.
 void check_finite(const char* what, std::span<const double> coordinates);
 
-// Triples that exact arithmetic can take (see expansion.hpp): below 2^150 in magnitude and multiples of 2^-172, as
-// every float32 below 2^150 and every float64 that is 0 or at least 2^-120 is. Names the triple.
-void check_exact(const char* what, std::span<const double> coordinates);
+// Products of six differences of coordinates below this, JKU, do not overflow a double.
+inline constexpr double kGreatestCoordinate = 0x1p150;
+
+// Whole triples of finite numbers below kGreatestCoordinate; names the triple.
+void check_coordinates(const char* what, std::span<const double> coordinates);
 
 }  // namespace jk

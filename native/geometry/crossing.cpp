@@ -56,8 +56,7 @@ int compare(const Fans& fans, const Segment& segment, const Crossing& first, con
     if (difference < -bound) return -1;
     const auto& t1 = fans.triangles[static_cast<std::size_t>(first.triangle)];
     const auto& t2 = fans.triangles[static_cast<std::size_t>(second.triangle)];
-    return (exact_volume(t2.a, t2.b, t2.c, segment.a) * exact_volume(t1.a, t1.b, t1.c, segment.b) -
-            exact_volume(t1.a, t1.b, t1.c, segment.a) * exact_volume(t2.a, t2.b, t2.c, segment.b)).sign();
+    return compare_products({t2.a, t2.b, t2.c}, {t1.a, t1.b, t1.c}, segment.a, segment.b);
 }
 
 }  // namespace jk

@@ -1,21 +1,38 @@
 #include "geometry/exact_sight.hpp"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Lazy_exact_nt.h>
+#include <CGAL/MP_Float.h>
+#include <CGAL/Quotient.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/intersections.h>
 
 #include <set>
+#include <span>
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 namespace jk {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Number = Kernel::FT;
-using Point = Kernel::Point_3;
+// CGAL's kernel of exact constructions; its exact numbers are Boost's where there is no GMP, and those refuse
+// subnormal doubles.
+using Usual = CGAL::Exact_predicates_exact_constructions_kernel;
+// For these, lazy numbers over MP_Float, whose exponents have no end: four times slower.
+using Unbounded = CGAL::Simple_cartesian<CGAL::Lazy_exact_nt<CGAL::Quotient<CGAL::MP_Float>>>;
 
-Point point(const double* p) { return Point(p[0], p[1], p[2]); }
+bool usual(std::span<const double> coordinates) {
+    return std::all_of(coordinates.begin(), coordinates.end(),
+                       [](double x) { return x == 0 || std::abs(x) > 0x1p-300; });
+}
 
+template <typename Kernel>
 class Oracle {
+    using Number = typename Kernel::FT;
+    using Point = typename Kernel::Point_3;
+
 public:
     Oracle(const SectorMesh& mesh, const double* a, const double* b) : mesh_(mesh), a_(point(a)), b_(point(b)) {}
 
@@ -70,14 +87,16 @@ private:
 
     std::optional<Number> leaves_at(const Point& v0, const Point& v1, const Point& v2) const {
         if (CGAL::collinear(v0, v1, v2)) return std::nullopt;
-        const Kernel::Plane_3 plane(v0, v1, v2);
+        const typename Kernel::Plane_3 plane(v0, v1, v2);
         if (plane.has_on_negative_side(a_) || !plane.has_on_negative_side(b_)) return std::nullopt;
-        const auto met = CGAL::intersection(Kernel::Line_3(a_, b_), plane);
+        const auto met = CGAL::intersection(typename Kernel::Line_3(a_, b_), plane);
         const Point crossing = boost::get<Point>(*met);
-        if (!Kernel::Triangle_3(v0, v1, v2).has_on(crossing)) return std::nullopt;
-        const Kernel::Vector_3 along = b_ - a_;
+        if (!typename Kernel::Triangle_3(v0, v1, v2).has_on(crossing)) return std::nullopt;
+        const typename Kernel::Vector_3 along = b_ - a_;
         return Number((crossing - a_) * along / along.squared_length());
     }
+
+    static Point point(const double* p) { return Point(p[0], p[1], p[2]); }
 
     Point vertex(Index corner) const {
         return point(mesh_.vertex(mesh_.surface_vertex[static_cast<std::size_t>(corner)]));
@@ -92,7 +111,8 @@ private:
 }  // namespace
 
 ExactVerdict exact_sight(const SectorMesh& mesh, Index sector, const double* a, const double* b) {
-    return Oracle(mesh, a, b).answer(sector);
+    if (usual(mesh.positions) && usual({a, 3}) && usual({b, 3})) return Oracle<Usual>(mesh, a, b).answer(sector);
+    return Oracle<Unbounded>(mesh, a, b).answer(sector);
 }
 
 }  // namespace jk

@@ -5,17 +5,26 @@
 // SCALE-EXPANSION carry that to sums of many parts. It is exact in the default rounding mode as long as nothing
 // over- or underflows. The deepest product here has six factors: with coordinates below 2^150 it stays below
 // 2^1000, and with coordinates that are multiples of 2^-172 every part is a multiple of 2^-1032, which a subnormal
-// double still holds. check_exact refuses the rest.
+// double still holds. `fits` tells; Whole (whole.hpp) takes the rest.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
+
 #include <cmath>
-#include <vector>
 
 namespace jk {
 
 class Expansion {
 public:
     Expansion() = default;
+
+    // Whether products of six differences of such coordinates are exact.
+    static bool fits(double x) {
+        const double magnitude = std::abs(x);
+        if (magnitude >= 0x1p-120) return magnitude < 0x1p150;
+        const double multiple = magnitude * 0x1p172;
+        return multiple == std::floor(multiple);
+    }
 
     static Expansion difference(double a, double b) {
         Expansion out;
@@ -88,7 +97,7 @@ private:
         return out;
     }
 
-    std::vector<double> parts_;  // rising in magnitude, no zeros
+    boost::container::small_vector<double, 24> parts_;  // rising in magnitude, no zeros
 };
 
 }  // namespace jk

@@ -14,7 +14,7 @@ std::vector<Index> copy(std::span<const Index> values) { return {values.begin(),
 SectorMesh make_mesh(std::span<const double> positions, std::span<const Index> surface_start,
                      std::span<const Index> surface_vertex, std::span<const Index> leads_to,
                      std::span<const Index> sector_first, std::span<const Index> sector_count) {
-    check_exact("position", positions);
+    check_coordinates("position", positions);
     check_starts("surface_start", surface_start, surface_vertex.size());
     check_indices("surface_vertex", surface_vertex, positions.size() / 3);
     if (leads_to.size() + 1 != surface_start.size())

@@ -26,7 +26,7 @@ struct SectorMesh {
 };
 
 // Copies and checks. Throws std::invalid_argument naming the index when a range, a vertex or a sector is out of
-// bounds or a coordinate cannot be computed with exactly (check_exact).
+// bounds or a coordinate is not finite or too great (check_coordinates).
 SectorMesh make_mesh(std::span<const double> positions, std::span<const Index> surface_start,
                      std::span<const Index> surface_vertex, std::span<const Index> leads_to,
                      std::span<const Index> sector_first, std::span<const Index> sector_count);

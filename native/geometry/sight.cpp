@@ -34,8 +34,8 @@ Viewer::Viewer(SectorMesh mesh) : mesh_(std::move(mesh)), fans_(mesh_), rooms_(m
 
 void Viewer::check(std::span<const double> origins, std::span<const Index> sectors,
                    std::span<const double> targets) const {
-    check_exact("origin", origins);
-    check_exact("target", targets);
+    check_coordinates("origin", origins);
+    check_coordinates("target", targets);
     if (origins.size() != 3 * sectors.size() || targets.size() != origins.size())
         throw std::invalid_argument("origins and targets must have shape (n, 3), sectors (n,)");
     check_indices("sector of origin", sectors, mesh_.sectors());

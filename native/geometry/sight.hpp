@@ -27,7 +27,7 @@ public:
 
     // Answers one query a row: from origins (x y z, JKU) in sectors to targets. The rows are shared out among
     // `threads` threads (0: one a core); the answers do not depend on how many. Throws std::invalid_argument naming
-    // the row when a sector is out of bounds or a coordinate cannot be computed with exactly.
+    // the row when a sector is out of bounds or a coordinate is not finite or too great.
     Sight sight(std::span<const double> origins, std::span<const Index> sectors, std::span<const double> targets,
                 Tier tier, unsigned threads) const;
 
