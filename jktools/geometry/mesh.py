@@ -75,19 +75,7 @@ class SectorMesh:
         An unsound sector (see `Level.sound_sectors`) is left out: adjoins into it block, and a query that starts in
         it is answered with crossed 0. An adjoin with no sector behind it blocks as well.
         """
-        surfaces, sectors = level.document.surfaces, level.document.sectors
-        keep = np.repeat(level.sound_surfaces, np.diff(surfaces.corner_start))
-        corners = np.where(level.sound_surfaces, np.diff(surfaces.corner_start), 0)
-        sound = level.sound_sectors
-        viewer = Viewer(
-            np.where(np.isfinite(level.vertices), level.vertices, 0).astype(np.float64).ravel(),
-            np.concatenate([[0], np.cumsum(corners)]).astype(np.int32),
-            np.ascontiguousarray(surfaces.corner_vertex[keep], np.int32),
-            _leads_to(level),
-            np.where(sound, sectors.first_surface, 0).astype(np.int32),
-            np.where(sound, sectors.surface_count, 0).astype(np.int32),
-        )
-        return cls(viewer, sound)
+        return cls(Viewer(*mesh_arrays(level)), level.sound_sectors)
 
     @classmethod
     def from_arrays(
@@ -148,6 +136,21 @@ class SectorMesh:
         visible, sectors, surfaces, leave = self._viewer.explain(_points(origin), sector, _points(target))
         steps = zip(sectors.tolist(), surfaces.tolist(), leave.tolist(), strict=True)
         return Explanation(visible, tuple(Step(*step) for step in steps))
+
+
+def mesh_arrays(level: Level) -> tuple[Float64, Int32, Int32, Int32, Int32, Int32]:
+    """Give the arguments of `from_arrays` for a level, positions flat; unsound surfaces and sectors are empty."""
+    surfaces, sectors, sound = level.document.surfaces, level.document.sectors, level.sound_sectors
+    keep = np.repeat(level.sound_surfaces, np.diff(surfaces.corner_start))
+    corners = np.where(level.sound_surfaces, np.diff(surfaces.corner_start), 0)
+    return (
+        np.where(np.isfinite(level.vertices), level.vertices, 0).astype(np.float64).ravel(),
+        np.concatenate([[0], np.cumsum(corners)]).astype(np.int32),
+        np.ascontiguousarray(surfaces.corner_vertex[keep], np.int32),
+        _leads_to(level),
+        np.where(sound, sectors.first_surface, 0).astype(np.int32),
+        np.where(sound, sectors.surface_count, 0).astype(np.int32),
+    )
 
 
 def _leads_to(level: Level) -> Int32:
