@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace jk {
 namespace {
@@ -12,14 +13,15 @@ using Vector = std::array<double, 3>;
 
 constexpr double kUnit = 0x1p-24;  // rounding of float32
 constexpr float kFar = std::numeric_limits<float>::infinity();
-// Sides are grouped and triangles trusted within this lean (1-norm of the difference of unit normals): rounding to
-// float32 leans a real level's triangles by 1e-6, and the bound costs the walk as much of a segment's length.
-constexpr double kMostTilt = 1e-4;
+// Sides are grouped and surfaces taken for flat within this lean (1-norm of the difference of unit normals): rounding
+// to float32 leans a real level's triangles by 1e-6, and the bound costs the walk as much of a segment's length.
+constexpr double kMostTilt = 3e-5;
 // A triangle whose doubled area is below this part of its longest edge squared has no trustworthy plane in doubles:
 // above it the normal's error stays below 2^-29.
 constexpr double kThinnest = 0x1p-20;
 constexpr double kNormalError = 0x1p-29;
-// Edges and needles below this part of the sector's size are left out, their length added to the margin.
+// Edges below this part of the sector's size are left out, their length added to the margin; triangles less high are
+// needles; and a vertex this close to a plane lies in it.
 constexpr double kShortest = 1e-5;
 constexpr double kPadding = 1.001;
 
@@ -37,10 +39,27 @@ struct Plane {
     double offset;
 };
 
-struct Wall {  // a side in the making
-    Plane plane;  // as rounded to float32
-    std::vector<Index> surfaces;
+// A flat part of a surface: all of it, or one triangle of a bent one.
+struct Piece {
+    Index surface;
+    std::vector<Vector> polygon;
+    std::vector<Index> triangles, needles;
 };
+
+struct Wall {  // a side in the making
+    Plane plane;
+    std::vector<Piece> pieces;
+};
+
+Vector normal_of(const std::vector<Vector>& t, double& doubled) {
+    const Vector area = cross(minus(t[1], t[0]), minus(t[2], t[0]));
+    doubled = length(area);
+    return scaled(area, 1 / doubled);
+}
+
+double longest_edge(const std::vector<Vector>& t) {
+    return std::max({length(minus(t[1], t[0])), length(minus(t[2], t[1])), length(minus(t[0], t[2]))});
+}
 
 class Builder {
 public:
@@ -108,28 +127,57 @@ private:
         return plane;
     }
 
-    // Puts a surface on a wall that it lies in, or on a new one.
+    std::vector<Vector> corners_of(Index triangle) const {
+        const Fans::Triangle& t = fans_.triangles[static_cast<std::size_t>(triangle)];
+        return {local(t.a), local(t.b), local(t.c)};
+    }
+
+    bool is_needle(const std::vector<Vector>& t) const {
+        double doubled;
+        normal_of(t, doubled);
+        const double longest = longest_edge(t);
+        return !(doubled > kThinnest * longest * longest && doubled > kShortest * radius_ * longest);
+    }
+
+    // Puts a surface on walls that it lies in, whole where it is flat, or its triangles one by one.
     void place(Index surface) {
-        if (fans_.start[surface] == fans_.start[surface + 1]) return;  // without area it is never crossed
-        const std::vector<Vector> polygon = corners(surface);
-        const Plane plane = plane_of(polygon);
-        if (!(norm1(plane.normal) < 2)) {  // no direction, as when the fan folds back on itself
-            still_ = std::numeric_limits<double>::infinity();
-            return;
+        Piece whole{surface, corners(surface), {}, {}};
+        for (Index t = fans_.start[surface]; t < fans_.start[surface + 1]; ++t)
+            (is_needle(corners_of(t)) ? whole.needles : whole.triangles).push_back(t);
+        if (whole.triangles.empty() && whole.needles.empty()) return;  // without area it is never crossed
+        const Plane plane = plane_of(whole.polygon);
+        if (flat(whole, plane)) return put(std::move(whole), plane);
+        // The needles of a bent surface go with its first triangle; where they are far from its plane, no bound holds.
+        for (const Index t : whole.triangles) {
+            const std::vector<Vector> polygon = corners_of(t);
+            put({surface, polygon, {t}, std::exchange(whole.needles, {})}, plane_of(polygon));
         }
+        if (!whole.needles.empty()) still_ = std::numeric_limits<double>::infinity();
+    }
+
+    bool flat(const Piece& piece, const Plane& plane) const {
+        return norm1(plane.normal) < 2 && lies_in(plane, piece.polygon) &&
+               std::all_of(piece.triangles.begin(), piece.triangles.end(), [&](Index t) {
+                   double doubled;
+                   return norm1(minus(normal_of(corners_of(t), doubled), plane.normal)) < kMostTilt;
+               });
+    }
+
+    void put(Piece piece, const Plane& plane) {
         for (Wall& wall : walls_)
-            if (norm1(minus(wall.plane.normal, plane.normal)) < kMostTilt / 2 && lies_in(wall.plane, polygon)) {
-                wall.surfaces.push_back(surface);
+            if (norm1(minus(wall.plane.normal, plane.normal)) < kMostTilt && lies_in(wall.plane, piece.polygon)) {
+                wall.pieces.push_back(std::move(piece));
                 return;
             }
-        walls_.push_back({plane, {surface}});
+        walls_.push_back({plane, {std::move(piece)}});
     }
 
     bool lies_in(const Plane& plane, const std::vector<Vector>& polygon) const {
-        return std::all_of(polygon.begin(), polygon.end(), [&](const Vector& v) {
-            return std::abs(dot(plane.normal, v) + plane.offset) < kShortest * radius_;
-        });
+        return std::all_of(polygon.begin(), polygon.end(),
+                           [&](const Vector& v) { return distance(plane, v) < kShortest * radius_; });
     }
+
+    static double distance(const Plane& plane, const Vector& v) { return std::abs(dot(plane.normal, v) + plane.offset); }
 
     void pack(std::size_t w) {
         const Wall& wall = walls_[w];
@@ -139,6 +187,7 @@ private:
             out_.planes.push_back({zero, zero, zero, far});
             out_.sides.resize(out_.sides.size() + 4);
         }
+        side_ = static_cast<Index>(out_.sides.size() - 4 + lane);
         PlaneBlock& block = out_.planes.back();
         block.x[lane] = static_cast<float>(wall.plane.normal[0]);
         block.y[lane] = static_cast<float>(wall.plane.normal[1]);
@@ -148,35 +197,36 @@ private:
         const Vector size{std::abs(wall.plane.normal[0]), std::abs(wall.plane.normal[1]), std::abs(wall.plane.normal[2])};
         const auto axis = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
         const auto first = static_cast<Index>(out_.polygons.size());
-        for (const Index surface : wall.surfaces) pack_polygon(surface, axis, wall.plane);
+        for (const Piece& piece : wall.pieces) pack_polygon(piece, axis, wall.plane);
         const auto count = static_cast<std::uint16_t>(out_.polygons.size() - static_cast<std::size_t>(first));
-        out_.sides[out_.sides.size() - 4 + lane] = {first, count, static_cast<std::uint16_t>(axis)};
+        out_.sides[static_cast<std::size_t>(side_)] = {first, count, static_cast<std::uint16_t>(axis)};
     }
 
-    // Bounds the triangle against the wall's plane, or lists it as a needle; returns what that adds to the margin.
-    double judge(Index triangle, const Plane& plane) {
-        const Fans::Triangle& t = fans_.triangles[static_cast<std::size_t>(triangle)];
-        const Vector a = local(t.a), b = local(t.b), c = local(t.c);
-        const Vector ab = minus(b, a), ac = minus(c, a), area = cross(ab, ac);
-        const double longest = std::max({length(ab), length(ac), length(minus(c, b))}), doubled = length(area);
-        if (doubled > kThinnest * longest * longest) {
-            const Vector normal = scaled(area, 1 / doubled);
-            const double lean = norm1(minus(normal, plane.normal)), shift = std::abs(-dot(normal, a) - plane.offset);
-            if (lean < kMostTilt) {
-                tilt_ = std::max(tilt_, lean + 2 * kNormalError);
-                still_ = std::max(still_, shift + 4 * kNormalError * radius_);
-                return 0;
-            }
+    // Widens the sector's bounds to hold the piece.
+    void bound(const Piece& piece, const Plane& plane) {
+        for (const Index t : piece.triangles) {
+            double doubled;
+            const std::vector<Vector> corners = corners_of(t);
+            const Vector normal = normal_of(corners, doubled);
+            tilt_ = std::max(tilt_, norm1(minus(normal, plane.normal)) + 2 * kNormalError);
+            still_ = std::max(still_, std::abs(-dot(normal, corners[0]) - plane.offset) + 4 * kNormalError * radius_);
         }
-        out_.needles.push_back(triangle);
-        const double height = doubled / longest;
-        return height < kShortest * radius_ ? 2 * height : std::numeric_limits<double>::infinity();
+        for (const Index t : piece.needles) {
+            out_.needles.push_back({t, side_});
+            for (const Vector& v : corners_of(t)) still_ = std::max(still_, distance(plane, v));
+        }
     }
 
-    void pack_polygon(Index surface, std::size_t axis, const Plane& plane) {
+    void pack_polygon(const Piece& piece, std::size_t axis, const Plane& plane) {
+        bound(piece, plane);
         double left_out = 0, outside = 0;
-        for (Index t = fans_.start[surface]; t < fans_.start[surface + 1]; ++t) left_out += judge(t, plane);
-        const std::vector<Vector> polygon = corners(surface);
+        for (const Index t : piece.needles) {
+            double doubled;
+            const std::vector<Vector> corners = corners_of(t);
+            normal_of(corners, doubled);
+            left_out += 2 * doubled / longest_edge(corners);
+        }
+        const std::vector<Vector>& polygon = piece.polygon;
         const std::size_t p = (axis + 1) % 3, q = (axis + 2) % 3, from = out_.polygons.size();
         const double turn = plane.normal[axis] > 0 ? 1 : -1;
         std::size_t lane = 4;
@@ -189,7 +239,7 @@ private:
                 left_out += 2 * size;
                 continue;
             }
-            if (lane == 4) lane = open_block(surface);
+            if (lane == 4) lane = open_block(piece.surface);
             const double a = -along_q / size, b = along_p / size, c = -(a * here[p] + b * here[q]);
             out_.polygons.back().a[lane] = static_cast<float>(a);
             out_.polygons.back().b[lane] = static_cast<float>(b);
@@ -197,7 +247,7 @@ private:
             ++lane;
             for (const Vector& v : polygon) outside = std::max(outside, -(a * v[p] + b * v[q] + c));
         }
-        if (from == out_.polygons.size()) open_block(surface), left_out = std::numeric_limits<double>::infinity();
+        if (from == out_.polygons.size()) open_block(piece.surface), left_out = std::numeric_limits<double>::infinity();
         const double margin = (left_out + outside + 16 * kUnit * radius_) * kPadding;
         for (std::size_t i = from; i < out_.polygons.size(); ++i) {
             out_.polygons[i].margin = static_cast<float>(margin);
@@ -215,7 +265,7 @@ private:
     const Fans& fans_;
     Rooms& out_;
     Room room_{};
-    Index first_ = 0, end_ = 0;
+    Index first_ = 0, end_ = 0, side_ = 0;
     double radius_ = 0, still_ = 0, tilt_ = 0, farthest_ = 0;
     std::vector<Wall> walls_;
 };

@@ -10,14 +10,16 @@
 // and 4 u (sqrt(3) X + |d|) (rounding the sum): below `still + tilt X`, the greatest over the sector's sides, where
 // tilt = max |n - N|_1 + 9 u and still = max |D - d| + 4 u max |d|, both padded by 1/1000.
 //
-// Needles. Triangles whose plane is ill-conditioned or leans from the side's by more than kMostTilt keep out of the
-// bounds: they are listed, and tested one by one.
+// A surface that is bent, whose triangles lean from its plane by more than kMostTilt, is packed as one polygon a
+// triangle, each on a side of its own. Needles, triangles so thin that their plane is ill-conditioned or leans though
+// their surface does not, keep out of the bounds: they are listed with the side that they lie along, which `still`
+// bounds the distance to, and tested one by one.
 //
 // Polygon. Its edges are lines a p + b q + c >= 0 in two of the three coordinates, those other than the side normal's
 // greatest, with a^2 + b^2 = 1. `margin` bounds how far its vertices lie outside its own edges, the length of
 // edges and the height of needles left out, and the rounding of a point in the room. A point beyond the margin inside
-// all edges is inside the polygon, one beyond the margin outside some edge is outside; a polygon that is bent too
-// much has an infinite margin.
+// all edges is inside the polygon, one beyond the margin outside some edge is outside; the segments in between are
+// left in doubt.
 #pragma once
 
 #include <cstdint>
@@ -54,11 +56,14 @@ struct Room {
     double center[3];
     float still, tilt;
     Index plane, planes;    // blocks, counted from `plane`
-    Index needle, needles;  // triangles
+    Index needle, needles;
 };
 
-class Rooms {
-public:
+struct Needle {
+    Index triangle, side;
+};
+
+struct Rooms {
     Rooms(const SectorMesh& mesh, const Fans& fans);
 
     std::size_t memory() const;
@@ -67,7 +72,7 @@ public:
     std::vector<PlaneBlock> planes;
     std::vector<Side> sides;  // four a plane block
     std::vector<PolygonBlock> polygons;
-    std::vector<Index> needles;
+    std::vector<Needle> needles;
 };
 
 }  // namespace jk

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/glance.hpp"
+
 namespace jk {
 namespace {
 
@@ -14,8 +16,8 @@ enum class End { kVisible, kBlocked, kCircle };
 
 class Search {
 public:
-    Search(const SectorMesh& mesh, const Fans& fans, const Segment& segment)
-        : mesh_(mesh), fans_(fans), segment_(segment) {}
+    Search(const SectorMesh& mesh, const Fans& fans, const Rooms* rooms, const Segment& segment)
+        : mesh_(mesh), fans_(fans), rooms_(rooms), segment_(segment) {}
 
     Verdict run(Index sector) {
         walk({sector, std::nullopt});
@@ -28,7 +30,7 @@ private:
     // An explicit stack, since a way can be as long as the level has sectors.
     struct Frame {
         State state;
-        std::vector<Crossing> exits;
+        Exits::Found exits;
         std::size_t next;
     };
 
@@ -55,8 +57,9 @@ private:
             return false;
         }
         tried_.push_back(state);
-        Frame frame{state, {}, 0};
-        leave_sector(mesh_, fans_, segment_, state.sector, state.entry, frame.exits);
+        Exits exits(fans_, segment_, state.entry);
+        exits.leave(mesh_, rooms_, state.sector);
+        Frame frame{state, exits.found(), 0};
         steps_.push_back({state.sector, -1, 1.0});
         if (frame.exits.empty()) {
             finish(End::kVisible, -1);
@@ -92,6 +95,7 @@ private:
 
     const SectorMesh& mesh_;
     const Fans& fans_;
+    const Rooms* rooms_;
     const Segment segment_;
     std::vector<State> tried_;
     std::vector<Frame> frames_;
@@ -102,26 +106,32 @@ private:
 
 }  // namespace
 
-void leave_sector(const SectorMesh& mesh, const Fans& fans, const Segment& segment, Index sector,
-                  const std::optional<Crossing>& entry, std::vector<Crossing>& exits) {
-    exits.clear();
-    const auto first = static_cast<std::size_t>(mesh.sector_first[static_cast<std::size_t>(sector)]);
-    const auto end = first + static_cast<std::size_t>(mesh.sector_count[static_cast<std::size_t>(sector)]);
-    for (Index t = fans.start[first]; t < fans.start[end]; ++t) {
-        Crossing found;
-        if (!crosses(fans, t, segment, found)) continue;
-        if (entry && compare(fans, segment, found, *entry) < 0) continue;
-        const int order = exits.empty() ? 0 : compare(fans, segment, found, exits.front());
-        if (order > 0) continue;
-        if (order < 0) exits.clear();
-        const auto surface = fans.triangles[static_cast<std::size_t>(t)].surface;
-        if (!exits.empty() && fans.triangles[static_cast<std::size_t>(exits.back().triangle)].surface == surface) continue;
-        exits.push_back(found);
-    }
+void Exits::offer(Index triangle) {
+    Crossing crossing;
+    if (!crosses(fans_, triangle, segment_, crossing)) return;
+    if (entry_ && compare(fans_, segment_, crossing, *entry_) < 0) return;
+    const int order = found_.empty() ? 0 : compare(fans_, segment_, crossing, found_.front());
+    if (order > 0) return;
+    if (order < 0) found_.clear();
+    const auto surface = [&](Index t) { return fans_.triangles[static_cast<std::size_t>(t)].surface; };
+    if (found_.empty() || surface(found_.back().triangle) != surface(triangle)) found_.push_back(crossing);
 }
 
-Verdict search(const SectorMesh& mesh, const Fans& fans, Index sector, const Segment& segment, std::vector<Step>* path) {
-    Search run(mesh, fans, segment);
+void Exits::leave(const SectorMesh& mesh, const Rooms* rooms, Index sector) {
+    if (rooms) {
+        Triangles possible;
+        possible_exits(mesh, *rooms, fans_, sector, segment_, possible);
+        for (const Index triangle : possible) offer(triangle);
+        return;
+    }
+    const auto first = static_cast<std::size_t>(mesh.sector_first[static_cast<std::size_t>(sector)]);
+    const auto end = first + static_cast<std::size_t>(mesh.sector_count[static_cast<std::size_t>(sector)]);
+    for (Index t = fans_.start[first]; t < fans_.start[end]; ++t) offer(t);
+}
+
+Verdict search(const SectorMesh& mesh, const Fans& fans, const Rooms* rooms, Index sector, const Segment& segment,
+               std::vector<Step>* path) {
+    Search run(mesh, fans, rooms, segment);
     const Verdict verdict = run.run(sector);
     if (path) *path = run.path();
     return verdict;

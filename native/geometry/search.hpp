@@ -1,6 +1,8 @@
 // The complete search: sight by its definition, every triangle of every sector on the way, exact.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
+
 #include <optional>
 
 #include "geometry/crossing.hpp"
@@ -21,10 +23,31 @@ struct Step {
     double leave;
 };
 
-// The first crossings out of `sector` that do not come before `entry`: all those at the same least t, in the order of
-// their surfaces, one a surface.
-void leave_sector(const SectorMesh& mesh, const Fans& fans, const Segment& segment, Index sector,
-                  const std::optional<Crossing>& entry, std::vector<Crossing>& exits);
+struct Rooms;
+
+// The first crossings out of a sector: all those at the least t that is not before the entry, in the order of their
+// surfaces, one a surface.
+class Exits {
+public:
+    // Without an entry the segment starts in the sector.
+    Exits(const Fans& fans, const Segment& segment, const std::optional<Crossing>& entry)
+        : fans_(fans), segment_(segment), entry_(entry) {}
+
+    // Tests every triangle of the sector; with `rooms`, only those that float32 bounds do not exclude.
+    void leave(const SectorMesh& mesh, const Rooms* rooms, Index sector);
+
+    using Found = boost::container::small_vector<Crossing, 4>;
+
+    const Found& found() const { return found_; }
+
+private:
+    void offer(Index triangle);
+
+    const Fans& fans_;
+    const Segment segment_;
+    const std::optional<Crossing> entry_;
+    Found found_;
+};
 
 // Answers one query by depth-first search over pairs of a sector and the t at which it is entered.
 //
@@ -32,8 +55,8 @@ void leave_sector(const SectorMesh& mesh, const Fans& fans, const Segment& segme
 // order of the surfaces; visible if one way is. A pair that was tried before is not tried again: sectors that
 // overlap can lead in a circle at one point. When no way is visible, the first that meets a blocking surface
 // decides; when none meets one, nothing blocks and the answer is visible. `path`, when given, receives the steps of
-// the way that decided.
-Verdict search(const SectorMesh& mesh, const Fans& fans, Index sector, const Segment& segment,
+// the way that decided. `rooms` as in Exits::leave.
+Verdict search(const SectorMesh& mesh, const Fans& fans, const Rooms* rooms, Index sector, const Segment& segment,
                std::vector<Step>* path = nullptr);
 
 }  // namespace jk

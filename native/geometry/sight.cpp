@@ -67,7 +67,7 @@ void Viewer::answer(std::size_t row, std::span<const double> origins, std::span<
 Verdict Viewer::explain(std::span<const double> origin, Index sector, std::span<const double> target,
                         std::vector<Step>& path) const {
     check(origin, {&sector, 1}, target);
-    return search(mesh_, fans_, sector, {origin.data(), target.data()}, &path);
+    return search(mesh_, fans_, nullptr, sector, {origin.data(), target.data()}, &path);
 }
 
 Doubts Viewer::doubts(std::span<const double> origins, std::span<const Index> sectors,

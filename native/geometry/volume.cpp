@@ -59,6 +59,9 @@ Volume volume(const double* a, const double* b, const double* c, const double* p
     const double error = kBound * sum + kUnderflow;
     if (value > error) return {value, error, 1};
     if (-value > error) return {value, error, -1};
+    // Four points with one coordinate in common lie in a plane: the usual doubt in levels built on a grid.
+    if ((ax == 0 && bx == 0 && cx == 0) || (ay == 0 && by == 0 && cy == 0) || (az == 0 && bz == 0 && cz == 0))
+        return {0, 0, 0};
     const Corners t{a, b, c};
     const int sign = fit({a, b, c, p}) ? exact_volume<Expansion>(t, p).sign() : exact_volume<Whole>(t, p).sign();
     return {value, error, sign};
