@@ -10,6 +10,8 @@ namespace jk {
 namespace {
 
 using Int4 = std::int32_t __attribute__((vector_size(16)));
+using Int8 = std::int32_t __attribute__((vector_size(32)));
+constexpr int kSides = PlaneBlock::kSides;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kUnit = 0x1p-24f;
@@ -47,8 +49,8 @@ struct Sightline {
     }
 
     bool too_far() const { return !(reach < kTooFar); }
-    Float4 at_a(const PlaneBlock& p) const { return p.x * a[0] + p.y * a[1] + p.z * a[2] + p.d; }
-    Float4 at_b(const PlaneBlock& p) const { return p.x * b[0] + p.y * b[1] + p.z * b[2] + p.d; }
+    Float8 at_a(const PlaneBlock& p) const { return p.x * a[0] + p.y * a[1] + p.z * a[2] + p.d; }
+    Float8 at_b(const PlaneBlock& p) const { return p.x * b[0] + p.y * b[1] + p.z * b[2] + p.d; }
 };
 
 // Sides that the segment was found to miss, though it passes their planes.
@@ -72,36 +74,49 @@ struct Leaving {
 };
 
 Leaving leaving(const Rooms& rooms, const Room& room, const Sightline& line, const Missed& missed) {
-    const Float4 m = all(line.bound), m_b = all(line.bound_b);
-    Float4 first = all(kInfinity), second = first, latest = first;
-    Int4 block{0, 0, 0, 0};
+    const Float8 none = Float8{} + kInfinity, least = Float8{} + kLeastFall;
+    Float8 first = none, second = none, latest = none;
+    Int8 block{};
     const PlaneBlock* planes = rooms.planes.data() + room.plane;
     for (Index i = 0; i < room.planes; ++i) {
-        const Float4 at_a = line.at_a(planes[i]), at_b = line.at_b(planes[i]);
-        Int4 possible = ~((at_b >= m_b) | (at_a <= -m));
+        const Float8 at_a = line.at_a(planes[i]), at_b = line.at_b(planes[i]);
+        Int8 possible = ~((at_b >= line.bound_b) | (at_a <= -line.bound));
         for (int k = 0; k < missed.count; ++k)
-            if (missed.side[k] / 4 == room.plane + i) possible[missed.side[k] % 4] = 0;
-        const Float4 fall = at_a - at_b;
-        const Float4 depth = fall > all(kLeastFall) ? fall : all(kLeastFall);
-        const Float4 lo = possible ? (at_a - m) / depth : all(kInfinity);
-        const Float4 hi = (at_a + m) / depth;
-        const Int4 better = lo < first;
+            if (missed.side[k] / kSides == room.plane + i) possible[missed.side[k] % kSides] = 0;
+        const Float8 fall = at_a - at_b, depth = fall > least ? fall : least;
+        const Float8 lo = possible ? (at_a - line.bound) / depth : none;
+        const Float8 hi = (at_a + line.bound) / depth;
+        const Int8 better = lo < first;
         second = better ? first : (lo < second ? lo : second);
         latest = better ? hi : latest;
-        block = better ? Int4{i, i, i, i} : block;
+        block = better ? Int8{} + i : block;
         first = better ? lo : first;
     }
     Leaving out;
-    for (int lane = 0; lane < 4; ++lane) {
+    for (int lane = 0; lane < kSides; ++lane) {
         const bool better = first[lane] < out.first;
         out.second = std::min({out.second, second[lane], better ? out.first : first[lane]});
         if (!better) continue;
         out.first = first[lane];
         out.latest = latest[lane];
-        out.side = 4 * (room.plane + block[lane]) + lane;
+        out.side = kSides * (room.plane + block[lane]) + lane;
     }
     return out;
 }
+
+// A point of the segment between t = lo and hi in two coordinates, and how far it can be off in either direction.
+struct Spot {
+    float p, q, spread;
+
+    Spot(const Sightline& line, std::uint16_t axis, float lo, float hi) {
+        const int i = axis == 2 ? 0 : axis + 1, j = axis == 0 ? 2 : axis - 1;
+        const float t = 0.5f * (lo + hi), along_p = line.b[i] - line.a[i], along_q = line.b[j] - line.a[j];
+        p = line.a[i] + t * along_p;
+        q = line.a[j] + t * along_q;
+        // Half the piece between lo and hi, times sqrt 2 for both coordinates, and the rounding of the point.
+        spread = std::max(std::abs(along_p), std::abs(along_q)) * std::abs(hi - lo) + 40 * kUnit * line.reach;
+    }
+};
 
 struct Passage {
     const PolygonBlock* polygon;  // null when none is certain
@@ -110,18 +125,14 @@ struct Passage {
 
 // The one polygon of a side through which the segment passes between t = lo and hi.
 Passage passage(const Rooms& rooms, const Side& side, const Sightline& line, float lo, float hi) {
-    const int p = side.axis == 2 ? 0 : side.axis + 1, q = side.axis == 0 ? 2 : side.axis - 1;
-    const float t = 0.5f * (lo + hi), along_p = line.b[p] - line.a[p], along_q = line.b[q] - line.a[q];
-    const Float4 at_p = all(line.a[p] + t * along_p), at_q = all(line.a[q] + t * along_q);
-    // Half the piece between lo and hi, times sqrt 2 for both coordinates, and the rounding of the point.
-    const float spread = std::max(std::abs(along_p), std::abs(along_q)) * (hi - lo) + 40 * kUnit * line.reach;
+    const Spot spot(line, side.axis, lo, hi);
     Passage found{nullptr, true};
     const PolygonBlock* block = rooms.polygons.data() + side.first;
     for (const PolygonBlock* end = block + side.count; block != end; ++block) {
-        const Float4 margin = all(block->margin + spread);
+        const Float4 margin = all(block->margin + spot.spread);
         Int4 not_inside{0, 0, 0, 0}, outside = not_inside;
         for (;; ++block) {
-            const Float4 ahead = block->a * at_p + block->b * at_q + block->c;
+            const Float4 ahead = block->a * spot.p + block->b * spot.q + block->c;
             not_inside |= ~(ahead > margin);
             outside |= ahead < -margin;
             if (!block->continues) break;
@@ -135,10 +146,10 @@ Passage passage(const Rooms& rooms, const Side& side, const Sightline& line, flo
 
 // Whether the segment certainly misses every side, but the one given, that it could leave no later; adds them.
 bool misses_rivals(const Rooms& rooms, const Room& room, const Sightline& line, const Leaving& left, Missed& missed) {
-    for (Index side = 4 * room.plane; side < 4 * (room.plane + room.planes); ++side) {
+    for (Index side = kSides * room.plane; side < kSides * (room.plane + room.planes); ++side) {
         if (side == left.side || missed.holds(side)) continue;
-        const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(side / 4)];
-        const float at_a = line.at_a(p)[side % 4], at_b = line.at_b(p)[side % 4];
+        const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(side / kSides)];
+        const float at_a = line.at_a(p)[side % kSides], at_b = line.at_b(p)[side % kSides];
         if (at_b >= line.bound_b || at_a <= -line.bound) continue;
         const float fall = std::max(at_a - at_b, kLeastFall);
         const float lo = (at_a - line.bound) / fall, hi = (at_a + line.bound) / fall;
@@ -149,14 +160,18 @@ bool misses_rivals(const Rooms& rooms, const Room& room, const Sightline& line, 
     return true;
 }
 
-// Whether the segment stays in front of a needle's slab until after t = `until`.
+// Whether the segment stays in front of a needle's slab until after t = `until`, or passes the slab beside the needle.
 bool clear_of(const Rooms& rooms, const Needle& needle, const Sightline& line, float until) {
-    const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(needle.side / 4)];
-    const int lane = needle.side % 4;
+    const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(needle.side / kSides)];
+    const int lane = needle.side % kSides;
     const float at_a = p.x[lane] * line.a[0] + p.y[lane] * line.a[1] + p.z[lane] * line.a[2] + p.d[lane];
     const float at_b = p.x[lane] * line.b[0] + p.y[lane] * line.b[1] + p.z[lane] * line.b[2] + p.d[lane];
-    if (!(at_a > line.bound)) return false;
-    return at_b > line.bound || at_a - line.bound > (until + kRounding) * (at_a - at_b);
+    const float fall = at_a - at_b;
+    if (at_a > line.bound && (at_b > line.bound || at_a - line.bound > (until + kRounding) * fall)) return true;
+    if (!(std::abs(fall) > 4 * line.bound)) return false;  // along the slab
+    const Spot spot(line, rooms.sides[static_cast<std::size_t>(needle.side)].axis, (at_a - line.bound) / fall,
+                    (at_a + line.bound) / fall);
+    return std::abs(needle.a * spot.p + needle.b * spot.q + needle.c) > needle.margin + spot.spread;
 }
 
 bool leaves_by_needle(const Rooms& rooms, const Fans& fans, const Room& room, const Segment& segment,
@@ -171,7 +186,14 @@ bool leaves_by_needle(const Rooms& rooms, const Fans& fans, const Room& room, co
 
 }  // namespace
 
-Glance glance(const Rooms& rooms, const Fans& fans, Index sector, const Segment& segment, float entered) {
+// Wider registers change nothing but the time: every operation is the same IEEE operation, and none is fused.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__)
+#define JK_WIDE __attribute__((target_clones("avx2", "default"), flatten))
+#else
+#define JK_WIDE
+#endif
+
+JK_WIDE Glance glance(const Rooms& rooms, const Fans& fans, Index sector, const Segment& segment, float entered) {
     const Room& room = rooms.rooms[static_cast<std::size_t>(sector)];
     const Sightline line(room, segment);
     if (line.too_far()) return {Glance::kDoubt};
@@ -215,9 +237,9 @@ void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans
     const auto add = [&](Index begin, Index end) { for (; begin < end; ++begin) triangles.push_back(begin); };
     for (Index i = room.plane; i < room.plane + room.planes; ++i) {
         const PlaneBlock& planes = rooms.planes[static_cast<std::size_t>(i)];
-        const Int4 possible = ~((line.at_b(planes) >= all(line.bound_b)) | (line.at_a(planes) <= all(-line.bound)));
-        for (int lane = 0; lane < 4; ++lane) {
-            const Side& side = rooms.sides[static_cast<std::size_t>(4 * i + lane)];
+        const Int8 possible = ~((line.at_b(planes) >= line.bound_b) | (line.at_a(planes) <= -line.bound));
+        for (int lane = 0; lane < kSides; ++lane) {
+            const Side& side = rooms.sides[static_cast<std::size_t>(kSides * i + lane)];
             for (Index p = side.first; possible[lane] && p < side.first + side.count; ++p) {
                 const auto surface = static_cast<std::size_t>(rooms.polygons[static_cast<std::size_t>(p)].surface);
                 add(fans.start[surface], fans.start[surface + 1]);

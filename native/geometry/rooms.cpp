@@ -181,13 +181,13 @@ private:
 
     void pack(std::size_t w) {
         const Wall& wall = walls_[w];
-        const std::size_t lane = w % 4;
+        const std::size_t lane = w % PlaneBlock::kSides;
         if (lane == 0) {
-            const Float4 zero{0, 0, 0, 0}, far{kFar, kFar, kFar, kFar};
-            out_.planes.push_back({zero, zero, zero, far});
-            out_.sides.resize(out_.sides.size() + 4);
+            const Float8 zero{};
+            out_.planes.push_back({zero, zero, zero, zero + kFar});
+            out_.sides.resize(out_.sides.size() + PlaneBlock::kSides);
         }
-        side_ = static_cast<Index>(out_.sides.size() - 4 + lane);
+        side_ = static_cast<Index>(out_.sides.size() - PlaneBlock::kSides + lane);
         PlaneBlock& block = out_.planes.back();
         block.x[lane] = static_cast<float>(wall.plane.normal[0]);
         block.y[lane] = static_cast<float>(wall.plane.normal[1]);
@@ -203,7 +203,7 @@ private:
     }
 
     // Widens the sector's bounds to hold the piece.
-    void bound(const Piece& piece, const Plane& plane) {
+    void bound(const Piece& piece, const Plane& plane, std::size_t axis) {
         for (const Index t : piece.triangles) {
             double doubled;
             const std::vector<Vector> corners = corners_of(t);
@@ -212,13 +212,29 @@ private:
             still_ = std::max(still_, std::abs(-dot(normal, corners[0]) - plane.offset) + 4 * kNormalError * radius_);
         }
         for (const Index t : piece.needles) {
-            out_.needles.push_back({t, side_});
-            for (const Vector& v : corners_of(t)) still_ = std::max(still_, distance(plane, v));
+            const std::vector<Vector> corners = corners_of(t);
+            for (const Vector& v : corners) still_ = std::max(still_, distance(plane, v));
+            out_.needles.push_back(needle(t, corners, (axis + 1) % 3, (axis + 2) % 3));
         }
     }
 
+    Needle needle(Index triangle, const std::vector<Vector>& corners, std::size_t p, std::size_t q) const {
+        std::size_t i = 0;  // the edge that shows longest
+        const auto span = [&](std::size_t k) {
+            return std::hypot(corners[(k + 1) % 3][p] - corners[k][p], corners[(k + 1) % 3][q] - corners[k][q]);
+        };
+        for (std::size_t k = 1; k < 3; ++k)
+            if (span(k) > span(i)) i = k;
+        const Vector &here = corners[i], &next = corners[(i + 1) % 3], &third = corners[(i + 2) % 3];
+        const double a = (here[q] - next[q]) / span(i), b = (next[p] - here[p]) / span(i);
+        const double c = -(a * here[p] + b * here[q]);
+        const double margin = (std::abs(a * third[p] + b * third[q] + c) + 16 * kUnit * radius_) * kPadding;
+        return {triangle, side_, static_cast<float>(a), static_cast<float>(b), static_cast<float>(c),
+                static_cast<float>(margin)};
+    }
+
     void pack_polygon(const Piece& piece, std::size_t axis, const Plane& plane) {
-        bound(piece, plane);
+        bound(piece, plane, axis);
         double left_out = 0, outside = 0;
         for (const Index t : piece.needles) {
             double doubled;

@@ -31,10 +31,12 @@
 namespace jk {
 
 using Float4 = float __attribute__((vector_size(16)));
+using Float8 = float __attribute__((vector_size(32)));
 
-// Four sides of a sector; places left over hold a plane that is infinitely far ahead.
-struct PlaneBlock {
-    Float4 x, y, z, d;
+// Eight sides of a sector; places left over hold a plane that is infinitely far ahead.
+struct alignas(64) PlaneBlock {
+    static constexpr int kSides = 8;
+    Float8 x, y, z, d;
 };
 
 // The polygons of one side: blocks [first, first + count).
@@ -59,8 +61,11 @@ struct Room {
     Index needle, needles;
 };
 
+// A needle lies within `margin` of the line a p + b q + c = 0 in its side's two coordinates, and within the room's
+// `still` of the side's plane.
 struct Needle {
     Index triangle, side;
+    float a, b, c, margin;
 };
 
 struct Rooms {
@@ -70,7 +75,7 @@ struct Rooms {
 
     std::vector<Room> rooms;
     std::vector<PlaneBlock> planes;
-    std::vector<Side> sides;  // four a plane block
+    std::vector<Side> sides;  // eight a plane block
     std::vector<PolygonBlock> polygons;
     std::vector<Needle> needles;
 };
