@@ -33,6 +33,17 @@ class Sight(NamedTuple):
     """The surface that blocks, -1 where none does."""
 
 
+class Location(NamedTuple):
+    """Where each point lies, (n,) each."""
+
+    sector: Int32
+    """The first sector that holds the point inside, else the first on whose boundary it lies, else -1."""
+    inside: Int32
+    """How many sectors hold the point inside: more than one overlap there."""
+    touching: Int32
+    """On how many sectors' boundaries it lies: two on a shared face."""
+
+
 class Step(NamedTuple):
     """One sector on the way of a segment, and how the segment leaves it."""
 
@@ -105,6 +116,20 @@ class SectorMesh:
         """Bytes of native memory held."""
         return self._viewer.memory
 
+    def locate(self, points: npt.ArrayLike, threads: int = 0) -> Int32:
+        """Find the sector of each point, (n, 3) JKU, or -1; `location` tells the points in several."""
+        return self.location(points, threads).sector
+
+    def location(self, points: npt.ArrayLike, threads: int = 0) -> Location:
+        """Find the sectors that hold each point, (n, 3) JKU, exactly in float64.
+
+        A sector holds a point inside when its triangles wind around it, whatever their shape. A sector that is not
+        closed holds the points that lie behind none of its triangles. A point on a face that sectors share belongs
+        to the first of them, unless another sector holds it inside. Raises ValueError naming the point that is not
+        finite or has a coordinate of 2^150 JKU or more.
+        """
+        return Location(*self._viewer.locate(_points(points), threads))
+
     def sight(
         self,
         origins: npt.ArrayLike,
@@ -130,6 +155,11 @@ class SectorMesh:
     def _without_unknown(self, found: Sight, first: Int32) -> Sight:
         known = self._known[first]
         return Sight(found.visible & known, np.where(known, found.crossed, 0), found.blocker)
+
+    def doubts(self, origins: npt.ArrayLike, sectors: npt.ArrayLike, targets: npt.ArrayLike) -> tuple[int, int]:
+        """Count the sectors, and the whole queries, that `balanced` must search completely: for benchmarks."""
+        found = self._viewer.doubts(_points(origins), _integers(sectors), _points(targets))
+        return found[0], found[1]
 
     def explain(self, sector: int, origin: npt.ArrayLike, target: npt.ArrayLike) -> Explanation:
         """Answer one query, exactly, with each sector on its way. Raises ValueError as `sight` does."""

@@ -1,36 +1,14 @@
 #include "geometry/sight.hpp"
 
-#include <algorithm>
-#include <atomic>
 #include <stdexcept>
-#include <thread>
 
 #include "geometry/checks.hpp"
 #include "geometry/exact_sight.hpp"
+#include "geometry/fast_walk.hpp"
+#include "geometry/threads.hpp"
 
 namespace jk {
-namespace {
-
-// Rows that a thread takes at a time: enough to hide the taking, few enough to share out a small batch.
-constexpr std::size_t kChunk = 512;
-
-template <typename Work>
-void share_out(std::size_t rows, unsigned threads, const Work& work) {
-    if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-    threads = static_cast<unsigned>(std::min<std::size_t>(threads, (rows + kChunk - 1) / kChunk));
-    std::atomic<std::size_t> next{0};
-    const auto run = [&] {
-        for (std::size_t first; (first = next.fetch_add(kChunk)) < rows;)
-            for (std::size_t row = first; row < std::min(rows, first + kChunk); ++row) work(row);
-    };
-    std::vector<std::jthread> others;
-    for (unsigned i = 1; i < threads; ++i) others.emplace_back(run);
-    run();
-}
-
-}  // namespace
-
-Viewer::Viewer(SectorMesh mesh) : mesh_(std::move(mesh)), fans_(mesh_), rooms_(mesh_, fans_) {}
+Viewer::Viewer(SectorMesh mesh) : mesh_(std::move(mesh)), fans_(mesh_), rooms_(mesh_, fans_), locator_(mesh_, fans_) {}
 
 void Viewer::check(std::span<const double> origins, std::span<const Index> sectors,
                    std::span<const double> targets) const {
@@ -60,7 +38,8 @@ void Viewer::answer(std::size_t row, std::span<const double> origins, std::span<
         return;
     }
     Doubts doubts;
-    const Verdict found = walk(mesh_, fans_, rooms_, sectors[row], segment, doubts);
+    const Verdict found = tier == Tier::kFast ? fast_walk(mesh_, rooms_, sectors[row], segment)
+                                              : walk(mesh_, fans_, rooms_, sectors[row], segment, doubts);
     out.visible[row] = found.visible, out.crossed[row] = found.crossed, out.blocker[row] = found.blocker;
 }
 
@@ -83,7 +62,7 @@ std::size_t Viewer::memory() const {
     const auto bytes = [](const auto& values) { return values.capacity() * sizeof(values[0]); };
     return bytes(mesh_.positions) + bytes(mesh_.surface_start) + bytes(mesh_.surface_vertex) + bytes(mesh_.leads_to) +
            bytes(mesh_.sector_first) + bytes(mesh_.sector_count) + bytes(fans_.triangles) + bytes(fans_.start) +
-           rooms_.memory();
+           rooms_.memory() + locator_.memory();
 }
 
 }  // namespace jk

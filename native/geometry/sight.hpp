@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/locate.hpp"
 #include "geometry/mesh.hpp"
 #include "geometry/rooms.hpp"
 #include "geometry/search.hpp"
@@ -23,7 +24,11 @@ class Viewer {
 public:
     explicit Viewer(SectorMesh mesh);
 
+    Viewer(const Viewer&) = delete;  // its parts refer to each other
+    Viewer& operator=(const Viewer&) = delete;
+
     const SectorMesh& mesh() const { return mesh_; }
+    const Locator& locator() const { return locator_; }
 
     // Answers one query a row: from origins (x y z, JKU) in sectors to targets. The rows are shared out among
     // `threads` threads (0: one a core); the answers do not depend on how many. Throws std::invalid_argument naming
@@ -50,6 +55,7 @@ private:
     SectorMesh mesh_;
     Fans fans_;
     Rooms rooms_;
+    Locator locator_;
 };
 
 }  // namespace jk

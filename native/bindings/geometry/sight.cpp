@@ -38,6 +38,16 @@ auto sight(const Viewer& viewer, Array<double> origins, Array<Index> sectors, Ar
                            hand_over(std::move(found.blocker)));
 }
 
+auto locate(const Viewer& viewer, Array<double> points, unsigned threads) {
+    Location found;
+    {
+        nb::gil_scoped_release release;
+        found = viewer.locator().locate(view(points), threads);
+    }
+    return std::make_tuple(hand_over(std::move(found.sector)), hand_over(std::move(found.inside)),
+                           hand_over(std::move(found.touching)));
+}
+
 auto explain(const Viewer& viewer, Array<double> origin, Index sector, Array<double> target) {
     std::vector<Step> path;
     const Verdict verdict = viewer.explain(view(origin), sector, view(target), path);
@@ -72,6 +82,10 @@ void open_sight(nb::module_& m) {
              "Answer (visible, crossed, blocker), uint8 and int32, one entry a query.\n\n"
              "origins and targets are (3n,) float64, JKU; sectors (n,) int32. Raises ValueError naming the row that is\n"
              "out of bounds.")
+        .def("locate", &locate, nb::arg("points"), nb::arg("threads"),
+             "Answer (sector, inside, touching), int32, one entry a point of (3n,) float64, JKU.\n\n"
+             "sector is the first that holds the point inside, else the first on whose boundary it lies, else -1;\n"
+             "inside and touching count the sectors of either kind. Raises ValueError naming the point.")
         .def("explain", &explain, nb::arg("origin"), nb::arg("sector"), nb::arg("target"),
              "Answer (visible, sectors, surfaces, leave) of the way that decides one query.\n\n"
              "Entry i is a sector, the surface through which it is left (-1: the segment ends there) and how far along\n"
