@@ -112,6 +112,11 @@ class SectorMesh:
         return cls(viewer, np.ones(len(_integers(sector_first)), np.bool_))
 
     @property
+    def native(self) -> Viewer:
+        """The native mesh, for the other modules of this package."""
+        return self._viewer
+
+    @property
     def memory(self) -> int:
         """Bytes of native memory held."""
         return self._viewer.memory

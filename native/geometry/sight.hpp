@@ -28,6 +28,7 @@ public:
     Viewer& operator=(const Viewer&) = delete;
 
     const SectorMesh& mesh() const { return mesh_; }
+    const Fans& fans() const { return fans_; }
     const Locator& locator() const { return locator_; }
 
     // Answers one query a row: from origins (x y z, JKU) in sectors to targets. The rows are shared out among
