@@ -67,9 +67,7 @@ def print_race(rows: list[dict[str, float]]) -> None:
     head = "  ".join(f"{r + ' ns':>10} {'ratio':>6} {'differs':>8}" for r in rivals)
     print(f"\n{'level':<30} {'set':<7} {'balanced ns':>11}  {head}")
     for row in rows:
-        cells = "  ".join(
-            f"{row[r]:10.1f} {row[r] / row['balanced']:6.2f} {row[r + ' differs']:8.3%}" for r in rivals
-        )
+        cells = "  ".join(f"{row[r]:10.1f} {row[r] / row['balanced']:6.2f} {row[r + ' differs']:8.3%}" for r in rivals)
         print(f"{row['level'][-30:]:<30} {row['set']:<7} {row['balanced']:11.1f}  {cells}")
     for rival in rivals:
         ratio = geometric_mean([row[rival] / row["balanced"] for row in rows])

@@ -12,7 +12,7 @@ import time
 import numpy as np
 
 from benchmarks.sight_queries import SETS, levels, through_edges
-from jktools.geometry.mesh import Sight, SectorMesh
+from jktools.geometry.mesh import SectorMesh, Sight
 
 KINDS = {**SETS, "edges": through_edges}
 
@@ -39,8 +39,7 @@ def main() -> None:
         for kind, make in KINDS.items():
             queries = make(level, each, rng)
             exact, balanced, fast = (
-                mesh.sight(*queries, accuracy=tier, threads=options.threads)
-                for tier in ("exact", "balanced", "fast")
+                mesh.sight(*queries, accuracy=tier, threads=options.threads) for tier in ("exact", "balanced", "fast")
             )
             doubts = sum(mesh.doubts(*queries))
             wrong = int((fast.visible != exact.visible).sum())
@@ -49,7 +48,10 @@ def main() -> None:
             if row[1]:
                 print(f"{name} {kind}: balanced differs from exact in {row[1]} of {each}")
     print(f"{'queries':<8} {'number':>9} {'balanced wrong':>14} {'fast wrong':>10} {'visible':>8} {'in doubt':>8}")
-    for kind, (count, balanced_wrong, fast_wrong, visible, doubts) in [*totals.items(), ("all", sum(totals.values()))]:
+    for kind, (count, balanced_wrong, fast_wrong, visible, doubts) in [
+        *totals.items(),
+        ("all", sum(totals.values())),
+    ]:
         print(
             f"{kind:<8} {count:9,} {balanced_wrong:14} {fast_wrong / count:10.3%} {visible / count:8.1%} "
             f"{doubts / count:8.2%}"

@@ -63,6 +63,24 @@ class Viewer:
         out of bounds.
         """
 
+    def locate(
+        self,
+        points: Annotated[
+            NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        threads: int,
+    ) -> tuple[
+        Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+        Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+        Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    ]:
+        """
+        Answer (sector, inside, touching), int32, one entry a point of (3n,) float64, JKU.
+
+        sector is the first that holds the point inside, else the first on whose boundary it lies, else -1;
+        inside and touching count the sectors of either kind. Raises ValueError naming the point.
+        """
+
     def explain(
         self,
         origin: Annotated[
@@ -85,9 +103,67 @@ class Viewer:
         the segment, 0 to 1.
         """
 
+    def doubts(
+        self,
+        origins: Annotated[
+            NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        sectors: Annotated[
+            NDArray[numpy.int32], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+        targets: Annotated[
+            NDArray[numpy.float64], dict(shape=(None,), order="C", device="cpu", writable=False)
+        ],
+    ) -> tuple[int, int]:
+        """
+        Count (sectors, queries) that the walk of `balanced` left to the complete search.
+        """
+
     @property
     def memory(self) -> int:
         """Bytes of native memory held."""
+
+def sector_closure(
+    viewer: Viewer,
+) -> tuple[
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    Annotated[NDArray[numpy.float64], dict(shape=(None,))],
+    Annotated[NDArray[numpy.float64], dict(shape=(None,))],
+    Annotated[NDArray[numpy.uint8], dict(shape=(None,))],
+]:
+    """
+    Match each sector's directed edges by exact position.
+
+    Returns (open, surface, corner, length, volume, certain), one entry a sector: see Closure.
+    """
+
+def surface_edges(
+    viewer: Viewer,
+) -> tuple[
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    Annotated[NDArray[numpy.float64], dict(shape=(None,))],
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+]:
+    """
+    Find each surface's shortest edge and its triangles without area.
+
+    Returns (corner, length, degenerate), one entry a surface: see Edges.
+    """
+
+def sector_overlaps(
+    viewer: Viewer,
+) -> tuple[
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    Annotated[NDArray[numpy.int32], dict(shape=(None,))],
+    Annotated[NDArray[numpy.float64], dict(shape=(None,))],
+]:
+    """
+    Find the pairs of sectors that overlap.
+
+    Returns (first, second, depth), sorted, one entry a pair, depth in JKU: see Overlaps.
+    """
 
 def sector_convexity(
     positions: Annotated[

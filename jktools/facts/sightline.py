@@ -41,7 +41,7 @@ def endpoint(level: Level, mesh: SectorMesh, text: str) -> Endpoint:
     if "," in text:
         return _point(mesh, text)
     table = level.document.things
-    places = np.flatnonzero(table.number == int(text)) if text.isdecimal() else []
+    places = np.flatnonzero(table.number == (int(text) if text.isdecimal() else -1))
     if not len(places):
         raise EndpointError(f"{text} is neither the number of a thing nor x,y,z")
     thing = level.things[int(places[0])]

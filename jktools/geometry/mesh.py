@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from jktools._native_geometry import Viewer
+from jktools._native_geometry import Viewer  # noqa: TID251 (this package is the door)
 from jktools.model import Level
 
 Bool = npt.NDArray[np.bool_]
@@ -106,8 +106,8 @@ class SectorMesh:
         that is not finite or has a coordinate of 2^150 JKU or more.
         """
         viewer = Viewer(
-            _points(positions), *(_integers(a) for a in (surface_start, surface_vertex, leads_to, sector_first)),
-            _integers(sector_count),
+            _points(positions), _integers(surface_start), _integers(surface_vertex), _integers(leads_to),
+            _integers(sector_first), _integers(sector_count),
         )  # fmt: skip
         return cls(viewer, np.ones(len(_integers(sector_first)), np.bool_))
 
@@ -151,9 +151,7 @@ class SectorMesh:
         not finite or 2^150 JKU or more.
         """
         first = _integers(sectors)
-        visible, crossed, blocker = self._viewer.sight(
-            _points(origins), first, _points(targets), accuracy, threads
-        )
+        visible, crossed, blocker = self._viewer.sight(_points(origins), first, _points(targets), accuracy, threads)
         found = Sight(visible.view(np.bool_), crossed, blocker)
         return found if self._known.all() else self._without_unknown(found, first)
 

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from jktools._native_geometry import sector_closure as native_closure
-from jktools._native_geometry import sector_overlaps as native_overlaps
-from jktools._native_geometry import surface_edges as native_edges
+from jktools._native_geometry import sector_closure as native_closure  # noqa: TID251 (this package is the door)
+from jktools._native_geometry import sector_overlaps as native_overlaps  # noqa: TID251 (this package is the door)
+from jktools._native_geometry import surface_edges as native_edges  # noqa: TID251 (this package is the door)
 from jktools.geometry.mesh import Bool, Float64, Int32, SectorMesh
 
 
@@ -51,8 +51,8 @@ class Overlaps(NamedTuple):
 
 def sector_closure(mesh: SectorMesh) -> Closure:
     """Match each sector's directed edges by exact position and measure its volume."""
-    *columns, certain = native_closure(mesh.native)
-    return Closure(*columns, certain.view(np.bool_))
+    count, surface, corner, length, volume, certain = native_closure(mesh.native)
+    return Closure(count, surface, corner, length, volume, certain.view(np.bool_))
 
 
 def surface_edges(mesh: SectorMesh) -> Edges:

@@ -43,7 +43,11 @@ class Face:
                     part.append(vertex)
         whole = all(d >= 0 for d in side), all(d <= 0 for d in side)
         if whole[0] or whole[1]:
-            return (self if whole[0] else None), (None if whole[0] else self), [tuple(cut)] if len(cut) == 2 else []
+            return (
+                (self if whole[0] else None),
+                (None if whole[0] else self),
+                [tuple(cut)] if len(cut) == 2 else [],
+            )
         return Face(ahead), Face(behind), [(cut[0], cut[1])] if len(cut) == 2 else []
 
 
@@ -156,7 +160,7 @@ class Queries(NamedTuple):
 
 
 def queries_of(level: Level, rng: np.random.Generator, count: int) -> Queries:
-    """Mean queries: from and to points in cells, on faces, edges and vertices, along faces, through them, on the spot."""
+    """Mean queries: to and from points in cells, on faces, edges and vertices, through them, and on the spot."""
     sectors = rng.integers(len(level.sector_first), size=count).astype(np.int32)
     origins = np.array([_point(level, int(s), rng) for s in sectors])
     goals = rng.integers(len(level.sector_first), size=count)

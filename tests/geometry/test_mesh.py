@@ -92,7 +92,9 @@ def test_adjoins_that_lead_in_a_circle_end(tier: str) -> None:
     way = surface_to(TWO_ROOMS, 0, 1)
     leads = list(TWO_ROOMS.leads_to)
     leads[way] = 0
-    assert ask(TWO_ROOMS._replace(leads_to=leads), [1, 1, 1], 0, [3, 1, 1], tier) == (True, 2, -1), "entered anew at 1/2"
+    assert ask(TWO_ROOMS._replace(leads_to=leads), [1, 1, 1], 0, [3, 1, 1], tier) == (True, 2, -1), (
+        "entered anew at 1/2"
+    )
 
 
 def test_the_answers_do_not_depend_on_threads() -> None:
@@ -119,7 +121,10 @@ def test_fast_is_nearly_right() -> None:
 def test_explain_tells_the_way() -> None:
     explanation = TWO_ROOMS.mesh().explain(0, [1, 1, 1], [3, 1, 1])
     assert explanation.visible and explanation.blocker == -1
-    assert [tuple(step) for step in explanation.steps] == [(0, surface_to(TWO_ROOMS, 0, 1), 0.5), (1, -1, 1.0)]
+    assert [tuple(step) for step in explanation.steps] == [
+        (0, surface_to(TWO_ROOMS, 0, 1), 0.5),
+        (1, -1, 1.0),
+    ]
     blocked = TWO_ROOMS.mesh().explain(0, [1, 1, 1], [9, 1, 1])
     assert not blocked.visible and blocked.steps[-1].leave == 3 / 8
 

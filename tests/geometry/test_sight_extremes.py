@@ -55,7 +55,7 @@ def jitter(points: Float64, rng: np.random.Generator) -> Float64:
 MOVES: dict[str, Callable[[Float64], Float64]] = {
     "as it is": lambda p: p,
     "float32": lambda p: p.astype(np.float32).astype(float),
-    **{f"translated {d:g}": (lambda p, d=d: p + [d, -d / 3, d / 7]) for d in (1e3, 1e5, 1e7)},
+    **{f"translated {d:g}": (lambda p, d=d: p + np.array([d, -d / 3, d / 7])) for d in (1e3, 1e5, 1e7)},
     **{f"scaled {s:g}": (lambda p, s=s: p * s) for s in (1e-6, 1e-3, 1e3, 1e6)},
     "rotated": lambda p: p @ rotation(0.1, 0.7, 2.3).T,
     "rotated by little": lambda p: p @ rotation(1e-8, -1e-9, 1e-7).T,
@@ -79,7 +79,10 @@ def test_balanced_equals_exact_at_the_extremes(move: str, shake: str) -> None:
         level = level_of(cut_cells(rng, cuts=10, finest=4), rng, walls=0.2, strays=strays)
         queries = queries_of(level, rng, 120)
         shaken = level.moved(SHAKES[shake](MOVES[move](level.positions), rng))
-        check(shaken, queries._replace(origins=MOVES[move](queries.origins), targets=MOVES[move](queries.targets)))
+        check(
+            shaken,
+            queries._replace(origins=MOVES[move](queries.origins), targets=MOVES[move](queries.targets)),
+        )
 
 
 @pytest.mark.parametrize("move", MOVES)

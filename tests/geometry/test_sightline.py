@@ -23,7 +23,14 @@ end
 def jkl(level: Level, adjoin_flags: int = 7) -> str:
     """Spell a level of portal_levels whose adjoins come in pairs of surfaces, and three things."""
     shown = [s for s, lead in enumerate(level.leads_to) if lead >= 0]
-    lines = ["SECTION: JK", "SECTION: COPYRIGHT", *["(c)"] * 34, "SECTION: GEORESOURCE", "World colormaps 1", "0: dflt.cmp"]
+    lines = [
+        "SECTION: JK",
+        "SECTION: COPYRIGHT",
+        *["(c)"] * 34,
+        "SECTION: GEORESOURCE",
+        "World colormaps 1",
+        "0: dflt.cmp",
+    ]
     lines += [f"World vertices {len(level.positions)}"]
     lines += [f"{i}: {x} {y} {z}" for i, (x, y, z) in enumerate(level.positions.tolist())]
     lines += ["World texture vertices 1", "0: 0 0", f"World adjoins {len(shown)}"]
@@ -38,7 +45,14 @@ def jkl(level: Level, adjoin_flags: int = 7) -> str:
     lines += ["SECTION: SECTORS", f"World sectors {len(level.sector_first)}"]
     for i, (first, count) in enumerate(zip(level.sector_first, level.sector_count, strict=True)):
         lines += [f"SECTOR {i}", "FLAGS 0x0", "AMBIENT LIGHT 0", "EXTRA LIGHT 0", "COLORMAP 0", "TINT 0 0 0"]
-        lines += ["BOUNDBOX 0 0 0 4 4 4", "CENTER 2 2 2", "RADIUS 4", "VERTICES 1", "0: 0", f"SURFACES {first} {count}"]
+        lines += [
+            "BOUNDBOX 0 0 0 4 4 4",
+            "CENTER 2 2 2",
+            "RADIUS 4",
+            "VERTICES 1",
+            "0: 0",
+            f"SURFACES {first} {count}",
+        ]
     return "\n".join([*lines, "SECTION: THINGS", THINGS])
 
 
