@@ -30,6 +30,20 @@ bool any(Int4 mask) {
     return (halves[0] | halves[1]) != 0;
 }
 
+float least_of(Float8 x) {
+    const Float8 y = __builtin_shuffle(x, Int8{4, 5, 6, 7, 0, 1, 2, 3}), a = x < y ? x : y;
+    const Float8 z = __builtin_shuffle(a, Int8{2, 3, 0, 1, 6, 7, 4, 5}), b = a < z ? a : z;
+    return std::min(b[0], b[1]);
+}
+
+// The first place that holds `value`, which one does.
+int first_equal(Float8 x, float value) {
+    const Int8 same = x == value;
+    int lane = 0;
+    while (lane < kSides - 1 && !same[lane]) ++lane;
+    return lane;
+}
+
 // A segment seen from the centre of a room, and the bound of the room's planes at its ends.
 struct Sightline {
     float a[3], b[3];
@@ -92,16 +106,13 @@ Leaving leaving(const Rooms& rooms, const Room& room, const Sightline& line, con
         block = better ? Int8{} + i : block;
         first = better ? lo : first;
     }
-    Leaving out;
-    for (int lane = 0; lane < kSides; ++lane) {
-        const bool better = first[lane] < out.first;
-        out.second = std::min({out.second, second[lane], better ? out.first : first[lane]});
-        if (!better) continue;
-        out.first = first[lane];
-        out.latest = latest[lane];
-        out.side = kSides * (room.plane + block[lane]) + lane;
-    }
-    return out;
+    // The least lo of all; then the least of the others, the next of its own lane among them.
+    const float least_lo = least_of(first);
+    if (least_lo == kInfinity) return {};
+    const int lane = first_equal(first, least_lo);
+    const Int8 lanes{0, 1, 2, 3, 4, 5, 6, 7};
+    const Float8 others = lanes == lane ? second : first;
+    return {least_lo, least_of(others), latest[lane], kSides * (room.plane + block[lane]) + lane};
 }
 
 // A point of the segment between t = lo and hi in two coordinates, and how far it can be off in either direction.
@@ -139,6 +150,7 @@ Passage passage(const Rooms& rooms, const Side& side, const Sightline& line, flo
         }
         if (any(outside)) continue;
         if (any(not_inside) || found.polygon) return {nullptr, false};
+        if (block->apart) return {block, false};
         found = {block, false};
     }
     return found;
@@ -250,7 +262,7 @@ void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans
         const Needle& needle = rooms.needles[static_cast<std::size_t>(n)];
         if (!clear_of(rooms, needle, line, 1)) add(needle.triangle, needle.triangle + 1);
     }
-    std::sort(triangles.begin(), triangles.end());
+    if (!std::is_sorted(triangles.begin(), triangles.end())) std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
 

@@ -46,6 +46,10 @@ struct Piece {
     std::vector<Index> triangles, needles;
 };
 
+struct Edge {
+    double a, b, c;
+};
+
 struct Wall {  // a side in the making
     Plane plane;
     std::vector<Piece> pieces;
@@ -197,7 +201,7 @@ private:
         const Vector size{std::abs(wall.plane.normal[0]), std::abs(wall.plane.normal[1]), std::abs(wall.plane.normal[2])};
         const auto axis = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
         const auto first = static_cast<Index>(out_.polygons.size());
-        for (const Piece& piece : wall.pieces) pack_polygon(piece, axis, wall.plane);
+        for (const Piece& piece : wall.pieces) pack_polygon(piece, axis, wall);
         const auto count = static_cast<std::uint16_t>(out_.polygons.size() - static_cast<std::size_t>(first));
         out_.sides[static_cast<std::size_t>(side_)] = {first, count, static_cast<std::uint16_t>(axis)};
     }
@@ -233,8 +237,36 @@ private:
                 static_cast<float>(margin)};
     }
 
-    void pack_polygon(const Piece& piece, std::size_t axis, const Plane& plane) {
-        bound(piece, plane, axis);
+    // The edges of a polygon in two coordinates, inside positive; short ones are left out.
+    std::vector<Edge> edges_of(const Piece& piece, std::size_t axis, const Plane& plane) const {
+        const std::size_t p = (axis + 1) % 3, q = (axis + 2) % 3;
+        const double turn = plane.normal[axis] > 0 ? 1 : -1;
+        std::vector<Edge> edges;
+        for (std::size_t i = 0; i < piece.polygon.size(); ++i) {
+            const Vector &here = piece.polygon[i], &next = piece.polygon[(i + 1) % piece.polygon.size()];
+            const double along_p = turn * (next[p] - here[p]), along_q = turn * (next[q] - here[q]);
+            const double size = std::hypot(along_p, along_q);
+            if (size < kShortest * radius_) continue;
+            const double a = -along_q / size, b = along_p / size;
+            edges.push_back({a, b, -(a * here[p] + b * here[q])});
+        }
+        return edges;
+    }
+
+    // How far all of another piece comes within the edge that it keeps off most.
+    static double intrusion(const std::vector<Edge>& edges, const Piece& other, std::size_t axis) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Edge& edge : edges) {
+            double most = -least;
+            for (const Vector& v : other.polygon)
+                most = std::max(most, edge.a * v[(axis + 1) % 3] + edge.b * v[(axis + 2) % 3] + edge.c);
+            least = std::min(least, most);
+        }
+        return least;
+    }
+
+    void pack_polygon(const Piece& piece, std::size_t axis, const Wall& wall) {
+        bound(piece, wall.plane, axis);
         double left_out = 0, outside = 0;
         for (const Index t : piece.needles) {
             double doubled;
@@ -244,37 +276,37 @@ private:
         }
         const std::vector<Vector>& polygon = piece.polygon;
         const std::size_t p = (axis + 1) % 3, q = (axis + 2) % 3, from = out_.polygons.size();
-        const double turn = plane.normal[axis] > 0 ? 1 : -1;
-        std::size_t lane = 4;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const Vector& here = polygon[i];
             const Vector& next = polygon[(i + 1) % polygon.size()];
-            const double along_p = turn * (next[p] - here[p]), along_q = turn * (next[q] - here[q]);
-            const double size = std::hypot(along_p, along_q);
-            if (size < kShortest * radius_) {
-                left_out += 2 * size;
-                continue;
-            }
-            if (lane == 4) lane = open_block(piece.surface);
-            const double a = -along_q / size, b = along_p / size, c = -(a * here[p] + b * here[q]);
-            out_.polygons.back().a[lane] = static_cast<float>(a);
-            out_.polygons.back().b[lane] = static_cast<float>(b);
-            out_.polygons.back().c[lane] = static_cast<float>(c);
-            ++lane;
-            for (const Vector& v : polygon) outside = std::max(outside, -(a * v[p] + b * v[q] + c));
+            const double size = std::hypot(next[p] - polygon[i][p], next[q] - polygon[i][q]);
+            if (size < kShortest * radius_) left_out += 2 * size;
         }
-        if (from == out_.polygons.size()) open_block(piece.surface), left_out = std::numeric_limits<double>::infinity();
+        const std::vector<Edge> edges = edges_of(piece, axis, wall.plane);
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (i % 4 == 0) open_block(piece.surface);
+            out_.polygons.back().a[i % 4] = static_cast<float>(edges[i].a);
+            out_.polygons.back().b[i % 4] = static_cast<float>(edges[i].b);
+            out_.polygons.back().c[i % 4] = static_cast<float>(edges[i].c);
+            for (const Vector& v : polygon)
+                outside = std::max(outside, -(edges[i].a * v[p] + edges[i].b * v[q] + edges[i].c));
+        }
+        if (edges.empty()) open_block(piece.surface), left_out = std::numeric_limits<double>::infinity();
+        double others = 0;
+        for (const Piece& other : wall.pieces)
+            if (&other != &piece) others = std::max(others, intrusion(edges, other, axis));
+        const bool apart = others < kShortest * radius_;
+        if (apart) outside = std::max(outside, others);
         const double margin = (left_out + outside + 16 * kUnit * radius_) * kPadding;
         for (std::size_t i = from; i < out_.polygons.size(); ++i) {
             out_.polygons[i].margin = static_cast<float>(margin);
             out_.polygons[i].continues = i + 1 < out_.polygons.size();
+            out_.polygons[i].apart = apart;
         }
     }
 
-    std::size_t open_block(Index surface) {
+    void open_block(Index surface) {
         const Float4 zero{0, 0, 0, 0}, far{kFar, kFar, kFar, kFar};
-        out_.polygons.push_back({zero, zero, far, 0, surface, mesh_.leads_to[static_cast<std::size_t>(surface)], 0});
-        return 0;
+        out_.polygons.push_back({zero, zero, far, 0, surface, mesh_.leads_to[static_cast<std::size_t>(surface)], 0, 0});
     }
 
     const SectorMesh& mesh_;

@@ -47,11 +47,13 @@ struct Side {
 };
 
 // Four edges of a polygon; places left over hold an edge that is infinitely far off. A polygon of more edges
-// continues in the next block.
+// continues in the next block. A point beyond the margin inside a polygon that is `apart` is outside all others of its
+// side: each lies beyond one of its edges, by the margin at most on the wrong side.
 struct alignas(64) PolygonBlock {
     Float4 a, b, c;
     float margin;
-    Index surface, leads_to, continues;
+    Index surface, leads_to;
+    std::uint16_t continues, apart;
 };
 
 struct Room {
