@@ -1,6 +1,7 @@
 # make demo    set up, then lint and compile the fixture level
 # make test    set up, then every check and test
 # make bench   set up, then the benchmarks
+# make fuzz    set up, then compare sight's tiers on a million queries over the corpus
 # make fresh   demo and test in an empty Debian 12 (needs root and debootstrap)
 
 PYTHON ?= python3
@@ -13,7 +14,7 @@ DEBIAN := python3-venv python3-dev g++ libcgal-dev doctest-dev git
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 NATIVE := CMakeLists.txt $(shell find native runtime -name '*.[ch]pp' -o -name '*.h')
 
-.PHONY: demo test bench fresh check native-test pytest generate clean
+.PHONY: demo test bench fuzz fresh check native-test pytest generate clean
 
 demo: $(VENV)/built
 	@fixtures/demo.sh
@@ -34,6 +35,10 @@ pytest: $(VENV)/built
 
 bench: $(VENV)/built
 	pytest benchmarks --benchmark-only --benchmark-disable-gc -s
+	python -m benchmarks.bench_sight
+
+fuzz: $(VENV)/built
+	python -m benchmarks.sight_disagreement --queries 1000000
 
 fresh:
 	tests/fresh.sh

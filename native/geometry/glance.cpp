@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace jk {
 namespace {
@@ -252,8 +253,11 @@ void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans
         const Int8 possible = ~((line.at_b(planes) >= line.bound_b) | (line.at_a(planes) <= -line.bound));
         for (int lane = 0; lane < kSides; ++lane) {
             const Side& side = rooms.sides[static_cast<std::size_t>(kSides * i + lane)];
+            Index last = -1;
             for (Index p = side.first; possible[lane] && p < side.first + side.count; ++p) {
-                const auto surface = static_cast<std::size_t>(rooms.polygons[static_cast<std::size_t>(p)].surface);
+                const Index own = rooms.polygons[static_cast<std::size_t>(p)].surface;
+                if (std::exchange(last, own) == own) continue;  // a polygon of several blocks
+                const auto surface = static_cast<std::size_t>(own);
                 add(fans.start[surface], fans.start[surface + 1]);
             }
         }
@@ -262,8 +266,6 @@ void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans
         const Needle& needle = rooms.needles[static_cast<std::size_t>(n)];
         if (!clear_of(rooms, needle, line, 1)) add(needle.triangle, needle.triangle + 1);
     }
-    if (!std::is_sorted(triangles.begin(), triangles.end())) std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
 
 }  // namespace jk

@@ -37,7 +37,7 @@ float latest(const Crossing& crossing);
 
 using Triangles = boost::container::small_vector<Index, 64>;
 
-// The triangles of the sector that the segment could leave through, rising.
+// The triangles of the sector that the segment could leave through, some of them more than once.
 void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans, Index sector, const Segment& segment,
                     Triangles& triangles);
 

@@ -113,8 +113,14 @@ void Exits::offer(Index triangle) {
     const int order = found_.empty() ? 0 : compare(fans_, segment_, crossing, found_.front());
     if (order > 0) return;
     if (order < 0) found_.clear();
-    const auto surface = [&](Index t) { return fans_.triangles[static_cast<std::size_t>(t)].surface; };
-    if (found_.empty() || surface(found_.back().triangle) != surface(triangle)) found_.push_back(crossing);
+    found_.push_back(crossing);
+}
+
+void Exits::one_a_surface() {
+    const auto surface = [&](const Crossing& c) { return fans_.triangles[static_cast<std::size_t>(c.triangle)].surface; };
+    std::sort(found_.begin(), found_.end(), [&](const Crossing& a, const Crossing& b) { return a.triangle < b.triangle; });
+    const auto same = [&](const Crossing& a, const Crossing& b) { return surface(a) == surface(b); };
+    found_.erase(std::unique(found_.begin(), found_.end(), same), found_.end());
 }
 
 void Exits::leave(const SectorMesh& mesh, const Rooms* rooms, Index sector) {
@@ -122,11 +128,12 @@ void Exits::leave(const SectorMesh& mesh, const Rooms* rooms, Index sector) {
         Triangles possible;
         possible_exits(mesh, *rooms, fans_, sector, segment_, possible);
         for (const Index triangle : possible) offer(triangle);
-        return;
+        return one_a_surface();
     }
     const auto first = static_cast<std::size_t>(mesh.sector_first[static_cast<std::size_t>(sector)]);
     const auto end = first + static_cast<std::size_t>(mesh.sector_count[static_cast<std::size_t>(sector)]);
     for (Index t = fans_.start[first]; t < fans_.start[end]; ++t) offer(t);
+    one_a_surface();
 }
 
 Verdict search(const SectorMesh& mesh, const Fans& fans, const Rooms* rooms, Index sector, const Segment& segment,

@@ -42,6 +42,7 @@ public:
 
 private:
     void offer(Index triangle);
+    void one_a_surface();
 
     const Fans& fans_;
     const Segment segment_;

@@ -8,6 +8,10 @@ import pytest
 from click.testing import CliRunner
 
 from jktools.cli.sight import command
+from jktools.geometry.mesh import SectorMesh
+from jktools.model import Level as RealLevel
+from jktools.source.container import file_member
+from jktools.syntax.jkl import read
 from tests.geometry.portal_levels import Level
 from tests.geometry.test_mesh import TWO_ROOMS
 
@@ -97,3 +101,18 @@ def test_ends_that_are_nowhere(tmp_path: Path, words: tuple[str, str], message: 
     status, output = run(tmp_path, jkl(TWO_ROOMS), *words)
     assert status == 2
     assert message in output
+
+
+def test_a_sector_that_could_not_be_read_is_left_out(tmp_path: Path) -> None:
+    """An adjoin into it blocks, and what starts in it is unknown: crossed 0."""
+    vertices = list(TWO_ROOMS.surface_vertex)
+    vertices[-1] = 99
+    path = tmp_path / "broken.jkl"
+    path.write_text(jkl(TWO_ROOMS._replace(surface_vertex=vertices)), "latin-1")
+    level = RealLevel(read(file_member(path, str(path), path.name).read()))
+    assert level.sound_sectors.tolist() == [True, False]
+    found = SectorMesh.from_level(level).sight([[1, 1, 1], [3, 1, 1]], [0, 1], [[3, 1, 1], [3, 2, 1]])
+    assert found.visible.tolist() == [False, False]
+    assert found.crossed.tolist() == [1, 0]
+    assert found.blocker.tolist() == [TWO_ROOMS.leads_to.index(1), -1]
+    assert run(tmp_path, path.read_text("latin-1"), "1", "0")[0] == 2
