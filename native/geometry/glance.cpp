@@ -218,7 +218,8 @@ JK_WIDE Glance glance(const Rooms& rooms, const Fans& fans, Index sector, const 
         if (pass.outside ? !missed.add(left.side) : !pass.polygon) break;
         if (pass.outside) continue;
         if (!(left.second > left.latest + kRounding)) {
-            if (!misses_rivals(rooms, room, line, left, missed)) break;
+            const int before = missed.count;
+            if (!misses_rivals(rooms, room, line, left, missed) || missed.count == before) break;
             continue;
         }
         if (!(left.first > entered + kRounding && left.latest < 1 - kRounding)) break;
@@ -240,7 +241,7 @@ void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans
     const auto s = static_cast<std::size_t>(sector);
     const Room& room = rooms.rooms[s];
     const Sightline line(room, segment);
-    if (line.too_far() || room.still == kInfinity) {
+    if (line.too_far() || !(room.still < kInfinity)) {
         const auto first = static_cast<std::size_t>(mesh.sector_first[s]);
         const Index begin = fans.start[first], end = fans.start[first + static_cast<std::size_t>(mesh.sector_count[s])];
         triangles.resize(static_cast<std::size_t>(end - begin));

@@ -24,6 +24,8 @@ constexpr double kNormalError = 0x1p-29;
 // needles; and a vertex this close to a plane lies in it.
 constexpr double kShortest = 1e-5;
 constexpr double kPadding = 1.001;
+// Rooms within these sizes, JKU, neither overflow float32 nor come near its subnormals; others are always in doubt.
+constexpr double kSmallest = 0x1p-60, kLargest = 0x1p60;
 
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -81,7 +83,8 @@ public:
         for (std::size_t w = 0; w < walls_.size(); ++w) pack(w);
         room_.planes = static_cast<Index>(out_.planes.size()) - room_.plane;
         room_.needles = static_cast<Index>(out_.needles.size()) - room_.needle;
-        room_.still = static_cast<float>((still_ + 4 * kUnit * farthest_) * kPadding);
+        if (!(radius_ > kSmallest && radius_ < kLargest)) still_ = room_.center[0] = std::numeric_limits<double>::quiet_NaN();
+        room_.still = static_cast<float>((still_ + kUnit * (4 * farthest_ + radius_)) * kPadding);
         room_.tilt = static_cast<float>((tilt_ + 9 * kUnit) * kPadding);
         out_.rooms.push_back(room_);
     }

@@ -8,7 +8,8 @@
 // Side. Every triangle T of the side has an exact unit plane g(x) = N.(x - centre) + D. The side's float32 plane
 // f(x') = n.x' + d differs from it by at most |n - N|_1 X + |D - d| (different planes), sqrt(3) u X (rounding x')
 // and 4 u (sqrt(3) X + |d|) (rounding the sum): below `still + tilt X`, the greatest over the sector's sides, where
-// tilt = max |n - N|_1 + 9 u and still = max |D - d| + 4 u max |d|, both padded by 1/1000.
+// tilt = max |n - N|_1 + 9 u and still = max |D - d| + 4 u max |d| + u r, r the room's half size, both padded by
+// 1/1000. A room too large or too small for float32 has no centre (NaN), and is always in doubt.
 //
 // A surface that is bent, whose triangles lean from its plane by more than kMostTilt, is packed as one polygon a
 // triangle, each on a side of its own. Needles, triangles so thin that their plane is ill-conditioned or leans though

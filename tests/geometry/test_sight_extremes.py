@@ -56,7 +56,7 @@ MOVES: dict[str, Callable[[Float64], Float64]] = {
     "as it is": lambda p: p,
     "float32": lambda p: p.astype(np.float32).astype(float),
     **{f"translated {d:g}": (lambda p, d=d: p + np.array([d, -d / 3, d / 7])) for d in (1e3, 1e5, 1e7)},
-    **{f"scaled {s:g}": (lambda p, s=s: p * s) for s in (1e-6, 1e-3, 1e3, 1e6)},
+    **{f"scaled {s:g}": (lambda p, s=s: p * s) for s in (1e-40, 1e-6, 1e-3, 1e3, 1e6, 1e40)},
     "rotated": lambda p: p @ rotation(0.1, 0.7, 2.3).T,
     "rotated by little": lambda p: p @ rotation(1e-8, -1e-9, 1e-7).T,
     "rotated far off": lambda p: (p + 1e4) @ rotation(1.1, 0.2, 0.9).T,
