@@ -1,7 +1,7 @@
 # make demo    set up, then lint and compile the fixture level
 # make test    set up, then every check and test
 # make bench   set up, then the benchmarks
-# make fuzz    the long random tests
+# make fuzz    the long random tests, and a million queries of sight at two tiers
 # make fresh   demo and test in an empty Debian 12 (needs root and debootstrap)
 
 PYTHON ?= python3
@@ -37,10 +37,12 @@ pytest: $(VENV)/built
 
 bench: $(VENV)/built
 	pytest benchmarks -s -o addopts="-q --strict-markers --import-mode=importlib"
+	python -m benchmarks.bench_sight
 
-# The tests that grow with the time they are given: every corpus level, thousands of random faults.
+# The tests that grow with the time they are given: every corpus level, thousands of random faults, a million queries.
 fuzz: $(VENV)/built
 	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py
+	python -m benchmarks.sight_disagreement --queries 1000000
 
 fresh:
 	tests/fresh.sh

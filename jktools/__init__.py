@@ -19,11 +19,13 @@ if TYPE_CHECKING:
     from jktools.compiler import open_compiled as open_compiled
     from jktools.diagnostics import Diagnostic as Diagnostic
     from jktools.diagnostics import Severity as Severity
+    from jktools.geometry import SectorMesh as SectorMesh
     from jktools.linter import lint as lint
     from jktools.model import Level as Level
     from jktools.session import Settings as Settings
     from jktools.session import check as check
     from jktools.session import load as load
+    from jktools.session import mesh as mesh
     from jktools.source import InputError as InputError
 
 _PUBLIC = {
@@ -38,6 +40,8 @@ _PUBLIC = {
     "check": ("jktools.session", "check"),
     "lint": ("jktools.linter", "lint"),
     "load": ("jktools.session", "load"),
+    "mesh": ("jktools.session", "mesh"),
+    "SectorMesh": ("jktools.geometry", "SectorMesh"),
     "open_compiled": ("jktools.compiler", "open_compiled"),
 }
 

@@ -19,6 +19,7 @@ COMMANDS = {
     "lint": "find what is wrong with levels",
     "build": "compile levels to binary files",
     "inspect": "show what a compiled level holds",
+    "sight": "explain whether one point of a level sees another",
     "pack": "list, extract and create GOB packs",
     "explain": "show a rule's documentation",
     "rules": "list the rules",

@@ -6,7 +6,6 @@ import enum
 from collections.abc import Sequence
 
 from jktools.diagnostics import Diagnostic, Severity
-from jktools.linter.rule import BUG_FAMILY
 
 
 class Status(enum.IntEnum):
@@ -20,7 +19,7 @@ class Status(enum.IntEnum):
 
 def of_findings(diagnostics: Sequence[Diagnostic], fail_on: Severity | None) -> Status:
     """3 when a rule failed, 1 when a finding is as bad as `fail_on` (None: never), else 0."""
-    if any(d.code.id.startswith(BUG_FAMILY) for d in diagnostics):
+    if any(d.code.is_bug for d in diagnostics):
         return Status.BUG
     if fail_on is not None and any(d.severity >= fail_on for d in diagnostics):
         return Status.FINDINGS

@@ -1,11 +1,20 @@
-"""Sector geometry: exact tests of what a level's polygons are."""
+"""Sector geometry: exact tests of what a level's polygons are, and sight among them."""
 
 from jktools.geometry.adjoins import Alignment, adjoin_alignment
 from jktools.geometry.closedness import OpenEdges, open_edges
 from jktools.geometry.corners import Corners, corners_of
 from jktools.geometry.extent import Extent, centers_outside, sector_extent, sector_vertices
+from jktools.geometry.mesh import BLOCKS, Accuracy, Explanation, Location, SectorMesh, Sight, Step
 from jktools.geometry.nonconvexity import Behind, vertices_behind
 from jktools.geometry.normals import NormalFit, normal_fit
+from jktools.geometry.soundness import (
+    Closure,
+    Edges,
+    Overlaps,
+    sector_closure,
+    sector_overlaps,
+    surface_edges,
+)
 from jktools.geometry.validity import (
     Concavity,
     Convexity,
@@ -19,16 +28,26 @@ from jktools.geometry.validity import (
 )
 
 __all__ = [
+    "BLOCKS",
+    "Accuracy",
     "Alignment",
     "Behind",
+    "Closure",
     "Concavity",
     "Convexity",
     "Corners",
+    "Edges",
+    "Explanation",
     "Extent",
+    "Location",
     "NormalFit",
     "OpenEdges",
     "Outside",
+    "Overlaps",
     "Planarity",
+    "SectorMesh",
+    "Sight",
+    "Step",
     "adjoin_alignment",
     "centers_outside",
     "collide_boxes_outside",
@@ -36,10 +55,13 @@ __all__ = [
     "normal_fit",
     "open_edges",
     "points_outside",
+    "sector_closure",
     "sector_convexity",
     "sector_extent",
+    "sector_overlaps",
     "sector_vertices",
     "surface_concavity",
+    "surface_edges",
     "surface_planarity",
     "vertices_behind",
 ]

@@ -30,9 +30,6 @@ RULE_FAILED = Code("JK901", "rule-failed", Severity.ERROR)
 FILE_FAILED = Code("JK902", "file-failed", Severity.ERROR)
 """Bugs in jktools, not in the level."""
 
-BUG_FAMILY = "JK9"
-"""Codes of such bugs: nothing hides them, and they make the exit status 3."""
-
 
 class Options(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What can be set for one rule in `[rules.<code>]` of the configuration; a rule declares its own subclass.

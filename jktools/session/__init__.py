@@ -2,7 +2,7 @@
 
 from jktools.session.batch import Batch, Built, build_all, check
 from jktools.session.config import Config, ConfigError, find_config, load_config
-from jktools.session.levels import discover, game_of, load
+from jktools.session.levels import discover, game_of, load, mesh
 from jktools.session.settings import Ignore, Settings
 
 __all__ = [
@@ -19,4 +19,5 @@ __all__ = [
     "game_of",
     "load",
     "load_config",
+    "mesh",
 ]

@@ -7,7 +7,6 @@ from dataclasses import replace
 from fnmatch import fnmatch
 
 from jktools.diagnostics import UNUSED_SUPPRESSION, Diagnostic, Label
-from jktools.linter.rule import BUG_FAMILY
 from jktools.session.settings import Ignore, Settings
 from jktools.source.container import PACK_SEPARATOR
 
@@ -25,11 +24,7 @@ def with_settings(found: Sequence[Diagnostic], settings: Settings, used: set[int
 
 
 def _hides(entry: Ignore, diagnostic: Diagnostic) -> bool:
-    if (
-        diagnostic.code.id.startswith(BUG_FAMILY)
-        or entry.code != diagnostic.code.id
-        or not _matches(entry.path, diagnostic.path)
-    ):
+    if diagnostic.code.is_bug or entry.code != diagnostic.code.id or not _matches(entry.path, diagnostic.path):
         return False
     subject = diagnostic.subject
     if not entry.object:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from jktools.geometry import SectorMesh
 from jktools.model import Level
 from jktools.session.settings import Game, Settings
 from jktools.source import PACK_EXTENSIONS, Container, Folder, InputError, Member, Target, Zip, enter, resolve
@@ -69,6 +70,11 @@ def load(path: str, game: Game | None = None) -> Level:
     if not level.document.sections:
         raise InputError(f"cannot read {levels[0].path}: it has no SECTION: lines, so it is no level")
     return level
+
+
+def mesh(level: Level) -> SectorMesh:
+    """The sectors of a level for questions of place and sight; what cannot be computed with is left out."""
+    return SectorMesh.from_level(level)
 
 
 def _listed(paths: Iterable[str], most: int = 5) -> str:

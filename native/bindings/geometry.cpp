@@ -2,12 +2,15 @@
 #include <nanobind/stl/tuple.h>
 
 #include "arrays.hpp"
+#include "geometry/doors.hpp"
 #include "geometry/convexity.hpp"
 
 namespace nb = nanobind;
 
 NB_MODULE(_native_geometry, m) {
     m.doc() = "Native geometry with exact predicates; only jktools.geometry imports it.";
+    jk::open_sight(m);
+    jk::open_soundness(m);
     m.def(
         "sector_convexity",
         [](jk::Array<double> positions, jk::Array<std::int32_t> surface_start, jk::Array<std::int32_t> surface_vertex,

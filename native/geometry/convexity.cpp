@@ -5,7 +5,8 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <string>
+
+#include "geometry/checks.hpp"
 
 namespace jk {
 namespace {
@@ -21,29 +22,6 @@ struct Plane {
     double length;  // of normal
 };
 
-[[noreturn]] void refuse(const char* what, std::size_t index, std::int64_t value) {
-    throw std::invalid_argument(std::string(what) + " " + std::to_string(index) + " is out of bounds: " +
-                                std::to_string(value));
-}
-
-void check_starts(const char* what, std::span<const Index> starts, std::size_t size) {
-    if (starts.empty() || starts.front() != 0) refuse(what, 0, starts.empty() ? -1 : starts.front());
-    for (std::size_t i = 1; i < starts.size(); ++i)
-        if (starts[i] < starts[i - 1]) refuse(what, i, starts[i]);
-    if (static_cast<std::size_t>(starts.back()) > size) refuse(what, starts.size() - 1, starts.back());
-}
-
-void check_indices(const char* what, std::span<const Index> indices, std::size_t count) {
-    for (std::size_t i = 0; i < indices.size(); ++i)
-        if (indices[i] < 0 || static_cast<std::size_t>(indices[i]) >= count) refuse(what, i, indices[i]);
-}
-
-void check_finite(const char* what, std::span<const double> coordinates) {
-    for (std::size_t i = 0; i < coordinates.size(); ++i)
-        if (!std::isfinite(coordinates[i]))
-            throw std::invalid_argument(std::string(what) + " " + std::to_string(i / 3) + " is not finite");
-}
-
 void check(const SectorPolygons& level) {
     if (level.positions.size() % 3 != 0) throw std::invalid_argument("positions must have shape (n, 3)");
     check_finite("position", level.positions);
@@ -53,13 +31,9 @@ void check(const SectorPolygons& level) {
     check_indices("surface_vertex", level.surface_vertex, vertices);
     check_indices("sector_vertex", level.sector_vertex, vertices);
     const std::size_t sectors = level.sector_start.size() - 1;
-    if (level.sector_first.size() != sectors || level.sector_count.size() != sectors)
-        throw std::invalid_argument("sector_first and sector_count must have one entry a sector");
-    const auto surfaces = static_cast<std::int64_t>(level.surface_start.size()) - 1;
-    for (std::size_t i = 0; i < sectors; ++i) {
-        const std::int64_t first = level.sector_first[i], count = level.sector_count[i];
-        if (first < 0 || count < 0 || first + count > surfaces) refuse("sector_first", i, first);
-    }
+    if (level.sector_first.size() != sectors)
+        throw std::invalid_argument("sector_first and sector_start must have one entry a sector");
+    check_ranges("sector_first", level.sector_first, level.sector_count, level.surface_start.size() - 1);
 }
 
 // Twice the vector area of the polygon (Newell), which points to the side from which it is counter-clockwise.

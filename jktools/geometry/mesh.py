@@ -1,0 +1,205 @@
+"""The sectors of a level as a mesh: which sector holds a point, and what sees what."""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from jktools._native_geometry import Viewer  # noqa: TID251 (this package is the door)
+from jktools.model import Level
+
+Bool = npt.NDArray[np.bool_]
+Float64 = npt.NDArray[np.float64]
+Int32 = npt.NDArray[np.int32]
+
+Accuracy = Literal["fast", "balanced", "exact"]
+
+BLOCKS = -1
+"""What a surface leads to when sight does not pass it."""
+
+ADJOIN_VISIBLE = 0x1
+"""Adjoin flag: sight passes (sithCollision_HasLos in the decompiled engine)."""
+
+
+class Sight(NamedTuple):
+    """What each query found, (n,) each."""
+
+    visible: Bool
+    crossed: Int32
+    """Sectors on the way that decided, the first and the last included; 0 where the first sector is unknown."""
+    blocker: Int32
+    """The surface that blocks, -1 where none does."""
+
+
+class Location(NamedTuple):
+    """Where each point lies, (n,) each."""
+
+    sector: Int32
+    """The first sector that holds the point inside, else the first on whose boundary it lies, else -1."""
+    inside: Int32
+    """How many sectors hold the point inside: more than one overlap there."""
+    touching: Int32
+    """On how many sectors' boundaries it lies: two on a shared face."""
+
+
+class Step(NamedTuple):
+    """One sector on the way of a segment, and how the segment leaves it."""
+
+    sector: int
+    surface: int
+    """-1 where the segment ends in the sector."""
+    leave: float
+    """How far along the segment, 0 to 1."""
+
+
+class Explanation(NamedTuple):
+    """One query step by step: the way that decided it."""
+
+    visible: bool
+    steps: tuple[Step, ...]
+
+    @property
+    def blocker(self) -> int:
+        """The surface that blocks, -1 when the target is visible."""
+        return -1 if self.visible else self.steps[-1].surface
+
+
+class SectorMesh:
+    """Convex sectors bounded by polygons, glued by adjoins; immutable.
+
+    A surface is the fan of its vertices as written; triangles whose three corners lie exactly on one line are
+    dropped. Whether a level keeps to convex sectors and planar surfaces does not matter: answers are about what is
+    written.
+    """
+
+    def __init__(self, viewer: Viewer, known: Bool) -> None:
+        """Use `from_level` or `from_arrays`."""
+        self._viewer = viewer
+        self._known = known
+
+    @classmethod
+    def from_level(cls, level: Level) -> SectorMesh:
+        """Take the sectors of a level, in the float32 coordinates that the engine holds.
+
+        An unsound sector (see `Level.sound_sectors`) is left out: adjoins into it block, and a query that starts in
+        it is answered with crossed 0. An adjoin with no sector behind it blocks as well.
+        """
+        return cls(Viewer(*mesh_arrays(level)), level.sound_sectors)
+
+    @classmethod
+    def from_arrays(
+        cls,
+        positions: npt.ArrayLike,
+        surface_start: npt.ArrayLike,
+        surface_vertex: npt.ArrayLike,
+        leads_to: npt.ArrayLike,
+        sector_first: npt.ArrayLike,
+        sector_count: npt.ArrayLike,
+    ) -> SectorMesh:
+        """Take a mesh as arrays: positions (n, 3) float64, JKU, used as they are; the rest integers.
+
+        Surface i has the vertices `surface_vertex[surface_start[i]:surface_start[i + 1]]`, counter-clockwise seen
+        from inside its sector, and leads into the sector `leads_to[i]`, or BLOCKS. Sector i owns `sector_count[i]`
+        surfaces from `sector_first[i]` on. Raises ValueError naming the index that is out of bounds, or a position
+        that is not finite or has a coordinate of 2^150 JKU or more.
+        """
+        viewer = Viewer(
+            _points(positions), _integers(surface_start), _integers(surface_vertex), _integers(leads_to),
+            _integers(sector_first), _integers(sector_count),
+        )  # fmt: skip
+        return cls(viewer, np.ones(len(_integers(sector_first)), np.bool_))
+
+    @property
+    def native(self) -> Viewer:
+        """The native mesh, for the other modules of this package."""
+        return self._viewer
+
+    @property
+    def memory(self) -> int:
+        """Bytes of native memory held."""
+        return self._viewer.memory
+
+    def locate(self, points: npt.ArrayLike, threads: int = 0) -> Int32:
+        """Find the sector of each point, (n, 3) JKU, or -1; `location` tells the points in several."""
+        return self.location(points, threads).sector
+
+    def location(self, points: npt.ArrayLike, threads: int = 0) -> Location:
+        """Find the sectors that hold each point, (n, 3) JKU, exactly in float64.
+
+        A sector holds a point inside when its triangles wind around it, whatever their shape. A sector that is not
+        closed holds the points that lie behind none of its triangles. A point on a face that sectors share belongs
+        to the first of them, unless another sector holds it inside. Raises ValueError naming the point that is not
+        finite or has a coordinate of 2^150 JKU or more.
+        """
+        return Location(*self._viewer.locate(_points(points), threads))
+
+    def sight(
+        self,
+        origins: npt.ArrayLike,
+        sectors: npt.ArrayLike,
+        targets: npt.ArrayLike,
+        accuracy: Accuracy = "balanced",
+        threads: int = 0,
+    ) -> Sight:
+        """Ask whether targets, (n, 3) JKU, are seen from origins, (n, 3) JKU, in their sectors, (n,).
+
+        Walls only: things do not block, and every surface without a see-through adjoin does (research document).
+        `balanced` and `exact` are exact in float64, `fast` is not. threads 0 means one a core; the answers are the
+        same for any number. Raises ValueError naming the row whose sector does not exist or whose coordinate is
+        not finite or 2^150 JKU or more.
+        """
+        first = _integers(sectors)
+        visible, crossed, blocker = self._viewer.sight(_points(origins), first, _points(targets), accuracy, threads)
+        found = Sight(visible.view(np.bool_), crossed, blocker)
+        return found if self._known.all() else self._without_unknown(found, first)
+
+    def _without_unknown(self, found: Sight, first: Int32) -> Sight:
+        known = self._known[first]
+        return Sight(found.visible & known, np.where(known, found.crossed, 0), found.blocker)
+
+    def doubts(self, origins: npt.ArrayLike, sectors: npt.ArrayLike, targets: npt.ArrayLike) -> tuple[int, int]:
+        """Count the sectors, and the whole queries, that `balanced` must search completely: for benchmarks."""
+        found = self._viewer.doubts(_points(origins), _integers(sectors), _points(targets))
+        return found[0], found[1]
+
+    def explain(self, sector: int, origin: npt.ArrayLike, target: npt.ArrayLike) -> Explanation:
+        """Answer one query, exactly, with each sector on its way. Raises ValueError as `sight` does."""
+        visible, sectors, surfaces, leave = self._viewer.explain(_points(origin), sector, _points(target))
+        steps = zip(sectors.tolist(), surfaces.tolist(), leave.tolist(), strict=True)
+        return Explanation(visible, tuple(Step(*step) for step in steps))
+
+
+def mesh_arrays(level: Level) -> tuple[Float64, Int32, Int32, Int32, Int32, Int32]:
+    """Give the arguments of `from_arrays` for a level, positions flat; unsound surfaces and sectors are empty."""
+    surfaces, sectors, sound = level.document.surfaces, level.document.sectors, level.sound_sectors
+    keep = np.repeat(level.sound_surfaces, np.diff(surfaces.corner_start))
+    corners = np.where(level.sound_surfaces, np.diff(surfaces.corner_start), 0)
+    return (
+        np.where(np.isfinite(level.vertices), level.vertices, 0).astype(np.float64).ravel(),
+        np.concatenate([[0], np.cumsum(corners)]).astype(np.int32),
+        np.ascontiguousarray(surfaces.corner_vertex[keep], np.int32),
+        _leads_to(level),
+        np.where(sound, sectors.first_surface, 0).astype(np.int32),
+        np.where(sound, sectors.surface_count, 0).astype(np.int32),
+    )
+
+
+def _leads_to(level: Level) -> Int32:
+    """The sector that each surface shows: through a visible adjoin, into a sound sector; else BLOCKS."""
+    adjoins, sound = level.document.adjoins, level.sound_sectors
+    behind = level.adjoin_sector
+    shows = (behind >= 0) & ((adjoins.flags & ADJOIN_VISIBLE) != 0)
+    shows[shows] &= sound[behind[shows]]
+    by_adjoin = np.append(np.where(shows, behind, BLOCKS), BLOCKS).astype(np.int32)
+    used = level.document.surfaces.adjoin
+    return by_adjoin[np.where((used >= 0) & (used < len(behind)), used, -1)]
+
+
+def _points(points: npt.ArrayLike) -> Float64:
+    return np.ascontiguousarray(points, np.float64).reshape(-1)
+
+
+def _integers(values: npt.ArrayLike) -> Int32:
+    return np.ascontiguousarray(values, np.int32)

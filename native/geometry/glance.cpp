@@ -1,0 +1,272 @@
+#include "geometry/glance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace jk {
+namespace {
+
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+using Int8 = std::int32_t __attribute__((vector_size(32)));
+constexpr int kSides = PlaneBlock::kSides;
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kUnit = 0x1p-24f;
+// Rounding of a quotient below 1 is 4 units at most (numerator, denominator, division, comparison).
+constexpr float kRounding = 8 * kUnit;
+// Keeps quotients finite: a side along which the segment falls less than this is not possible, or in doubt anyway.
+constexpr float kLeastFall = 0x1p-100f;
+// Beyond this float32 sums of products could overflow.
+constexpr float kTooFar = 0x1p60f;
+
+Float4 all(float x) { return Float4{x, x, x, x}; }
+
+bool any(Int4 mask) {
+    long long halves[2];
+    std::memcpy(halves, &mask, sizeof mask);
+    return (halves[0] | halves[1]) != 0;
+}
+
+float least_of(Float8 x) {
+    const Float8 y = __builtin_shuffle(x, Int8{4, 5, 6, 7, 0, 1, 2, 3}), a = x < y ? x : y;
+    const Float8 z = __builtin_shuffle(a, Int8{2, 3, 0, 1, 6, 7, 4, 5}), b = a < z ? a : z;
+    return std::min(b[0], b[1]);
+}
+
+// The first place that holds `value`, which one does.
+int first_equal(Float8 x, float value) {
+    const Int8 same = x == value;
+    int lane = 0;
+    while (lane < kSides - 1 && !same[lane]) ++lane;
+    return lane;
+}
+
+// A segment seen from the centre of a room, and the bound of the room's planes at its ends.
+struct Sightline {
+    float a[3], b[3];
+    float reach;  // sum of the greatest coordinates of both ends
+    float bound_b, bound;
+
+    Sightline(const Room& room, const Segment& segment) {
+        for (int k = 0; k < 3; ++k) {
+            a[k] = static_cast<float>(segment.a[k] - room.center[k]);
+            b[k] = static_cast<float>(segment.b[k] - room.center[k]);
+        }
+        const float reach_a = std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
+        const float reach_b = std::max({std::abs(b[0]), std::abs(b[1]), std::abs(b[2])});
+        reach = reach_a + reach_b;
+        bound_b = room.still + room.tilt * reach_b;
+        bound = std::max(bound_b, room.still + room.tilt * reach_a);
+    }
+
+    bool too_far() const { return !(reach < kTooFar); }
+    Float8 at_a(const PlaneBlock& p) const { return p.x * a[0] + p.y * a[1] + p.z * a[2] + p.d; }
+    Float8 at_b(const PlaneBlock& p) const { return p.x * b[0] + p.y * b[1] + p.z * b[2] + p.d; }
+};
+
+// Sides that the segment was found to miss, though it passes their planes.
+struct Missed {
+    static constexpr int kMost = 8;
+    int count = 0;
+    Index side[kMost];
+
+    bool add(Index missed) {
+        if (count == kMost) return false;
+        side[count++] = missed;
+        return true;
+    }
+    bool holds(Index other) const { return std::find(side, side + count, other) != side + count; }
+};
+
+// The side that the segment can leave first: its lo and hi, and the least lo of all others.
+struct Leaving {
+    float first = kInfinity, second = kInfinity, latest = kInfinity;
+    Index side = 0;
+};
+
+Leaving leaving(const Rooms& rooms, const Room& room, const Sightline& line, const Missed& missed) {
+    const Float8 none = Float8{} + kInfinity, least = Float8{} + kLeastFall;
+    Float8 first = none, second = none, latest = none;
+    Int8 block{};
+    const PlaneBlock* planes = rooms.planes.data() + room.plane;
+    for (Index i = 0; i < room.planes; ++i) {
+        const Float8 at_a = line.at_a(planes[i]), at_b = line.at_b(planes[i]);
+        Int8 possible = ~((at_b >= line.bound_b) | (at_a <= -line.bound));
+        for (int k = 0; k < missed.count; ++k)
+            if (missed.side[k] / kSides == room.plane + i) possible[missed.side[k] % kSides] = 0;
+        const Float8 fall = at_a - at_b, depth = fall > least ? fall : least;
+        const Float8 lo = possible ? (at_a - line.bound) / depth : none;
+        const Float8 hi = (at_a + line.bound) / depth;
+        const Int8 better = lo < first;
+        second = better ? first : (lo < second ? lo : second);
+        latest = better ? hi : latest;
+        block = better ? Int8{} + i : block;
+        first = better ? lo : first;
+    }
+    // The least lo of all; then the least of the others, the next of its own lane among them.
+    const float least_lo = least_of(first);
+    if (least_lo == kInfinity) return {};
+    const int lane = first_equal(first, least_lo);
+    const Int8 lanes{0, 1, 2, 3, 4, 5, 6, 7};
+    const Float8 others = lanes == lane ? second : first;
+    return {least_lo, least_of(others), latest[lane], kSides * (room.plane + block[lane]) + lane};
+}
+
+// A point of the segment between t = lo and hi in two coordinates, and how far it can be off in either direction.
+struct Spot {
+    float p, q, spread;
+
+    Spot(const Sightline& line, std::uint16_t axis, float lo, float hi) {
+        const int i = axis == 2 ? 0 : axis + 1, j = axis == 0 ? 2 : axis - 1;
+        const float t = 0.5f * (lo + hi), along_p = line.b[i] - line.a[i], along_q = line.b[j] - line.a[j];
+        p = line.a[i] + t * along_p;
+        q = line.a[j] + t * along_q;
+        // Half the piece between lo and hi, times sqrt 2 for both coordinates, and the rounding of the point.
+        spread = std::max(std::abs(along_p), std::abs(along_q)) * std::abs(hi - lo) + 40 * kUnit * line.reach;
+    }
+};
+
+struct Passage {
+    const PolygonBlock* polygon;  // null when none is certain
+    bool outside;                 // of all polygons, certainly
+};
+
+// The one polygon of a side through which the segment passes between t = lo and hi.
+Passage passage(const Rooms& rooms, const Side& side, const Sightline& line, float lo, float hi) {
+    const Spot spot(line, side.axis, lo, hi);
+    Passage found{nullptr, true};
+    const PolygonBlock* block = rooms.polygons.data() + side.first;
+    for (const PolygonBlock* end = block + side.count; block != end; ++block) {
+        const Float4 margin = all(block->margin + spot.spread);
+        Int4 not_inside{0, 0, 0, 0}, outside = not_inside;
+        for (;; ++block) {
+            const Float4 ahead = block->a * spot.p + block->b * spot.q + block->c;
+            not_inside |= ~(ahead > margin);
+            outside |= ahead < -margin;
+            if (!block->continues) break;
+        }
+        if (any(outside)) continue;
+        if (any(not_inside) || found.polygon) return {nullptr, false};
+        if (block->apart) return {block, false};
+        found = {block, false};
+    }
+    return found;
+}
+
+// Whether the segment certainly misses every side, but the one given, that it could leave no later; adds them.
+bool misses_rivals(const Rooms& rooms, const Room& room, const Sightline& line, const Leaving& left, Missed& missed) {
+    for (Index side = kSides * room.plane; side < kSides * (room.plane + room.planes); ++side) {
+        if (side == left.side || missed.holds(side)) continue;
+        const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(side / kSides)];
+        const float at_a = line.at_a(p)[side % kSides], at_b = line.at_b(p)[side % kSides];
+        if (at_b >= line.bound_b || at_a <= -line.bound) continue;
+        const float fall = std::max(at_a - at_b, kLeastFall);
+        const float lo = (at_a - line.bound) / fall, hi = (at_a + line.bound) / fall;
+        if (lo > left.latest + kRounding) continue;
+        if (!passage(rooms, rooms.sides[static_cast<std::size_t>(side)], line, lo, hi).outside || !missed.add(side))
+            return false;
+    }
+    return true;
+}
+
+// Whether the segment stays in front of a needle's slab until after t = `until`, or passes the slab beside the needle.
+bool clear_of(const Rooms& rooms, const Needle& needle, const Sightline& line, float until) {
+    const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(needle.side / kSides)];
+    const int lane = needle.side % kSides;
+    const float at_a = p.x[lane] * line.a[0] + p.y[lane] * line.a[1] + p.z[lane] * line.a[2] + p.d[lane];
+    const float at_b = p.x[lane] * line.b[0] + p.y[lane] * line.b[1] + p.z[lane] * line.b[2] + p.d[lane];
+    const float fall = at_a - at_b;
+    if (at_a > line.bound && (at_b > line.bound || at_a - line.bound > (until + kRounding) * fall)) return true;
+    if (!(std::abs(fall) > 4 * line.bound)) return false;  // along the slab
+    const Spot spot(line, rooms.sides[static_cast<std::size_t>(needle.side)].axis, (at_a - line.bound) / fall,
+                    (at_a + line.bound) / fall);
+    return std::abs(needle.a * spot.p + needle.b * spot.q + needle.c) > needle.margin + spot.spread;
+}
+
+bool leaves_by_needle(const Rooms& rooms, const Fans& fans, const Room& room, const Segment& segment,
+                      const Sightline& line, float until) {
+    const Needle* needle = rooms.needles.data() + room.needle;
+    for (const Needle* end = needle + room.needles; needle != end; ++needle) {
+        Crossing crossing;
+        if (!clear_of(rooms, *needle, line, until) && crosses(fans, needle->triangle, segment, crossing)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+// Wider registers change nothing but the time: every operation is the same IEEE operation, and none is fused.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__)
+#define JK_WIDE __attribute__((target_clones("avx2", "default"), flatten))
+#else
+#define JK_WIDE
+#endif
+
+JK_WIDE Glance glance(const Rooms& rooms, const Fans& fans, Index sector, const Segment& segment, float entered) {
+    const Room& room = rooms.rooms[static_cast<std::size_t>(sector)];
+    const Sightline line(room, segment);
+    if (line.too_far()) return {Glance::kDoubt};
+    for (Missed missed;;) {
+        const Leaving left = leaving(rooms, room, line, missed);
+        if (left.first == kInfinity)
+            return {leaves_by_needle(rooms, fans, room, segment, line, 1) ? Glance::kDoubt : Glance::kEnds};
+        const Passage pass = passage(rooms, rooms.sides[static_cast<std::size_t>(left.side)], line, left.first, left.latest);
+        if (pass.outside ? !missed.add(left.side) : !pass.polygon) break;
+        if (pass.outside) continue;
+        if (!(left.second > left.latest + kRounding)) {
+            const int before = missed.count;
+            if (!misses_rivals(rooms, room, line, left, missed) || missed.count == before) break;
+            continue;
+        }
+        if (!(left.first > entered + kRounding && left.latest < 1 - kRounding)) break;
+        if (leaves_by_needle(rooms, fans, room, segment, line, left.latest)) break;
+        return {Glance::kLeaves, pass.polygon->surface, pass.polygon->leads_to, left.latest};
+    }
+    return {Glance::kDoubt};
+}
+
+float latest(const Crossing& c) {
+    const double fall = c.from.value - c.to.value - c.from.error - c.to.error;
+    const double t = fall > 0 ? (c.from.value + c.from.error) / fall : 1;
+    return static_cast<float>(t) + kRounding;
+}
+
+void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans, Index sector, const Segment& segment,
+                    Triangles& triangles) {
+    triangles.clear();
+    const auto s = static_cast<std::size_t>(sector);
+    const Room& room = rooms.rooms[s];
+    const Sightline line(room, segment);
+    if (line.too_far() || !(room.still < kInfinity)) {
+        const auto first = static_cast<std::size_t>(mesh.sector_first[s]);
+        const Index begin = fans.start[first], end = fans.start[first + static_cast<std::size_t>(mesh.sector_count[s])];
+        triangles.resize(static_cast<std::size_t>(end - begin));
+        std::iota(triangles.begin(), triangles.end(), begin);
+        return;
+    }
+    const auto add = [&](Index begin, Index end) { for (; begin < end; ++begin) triangles.push_back(begin); };
+    for (Index i = room.plane; i < room.plane + room.planes; ++i) {
+        const PlaneBlock& planes = rooms.planes[static_cast<std::size_t>(i)];
+        const Int8 possible = ~((line.at_b(planes) >= line.bound_b) | (line.at_a(planes) <= -line.bound));
+        for (int lane = 0; lane < kSides; ++lane) {
+            const Side& side = rooms.sides[static_cast<std::size_t>(kSides * i + lane)];
+            Index last = -1;
+            for (Index p = side.first; possible[lane] && p < side.first + side.count; ++p) {
+                const Index own = rooms.polygons[static_cast<std::size_t>(p)].surface;
+                if (std::exchange(last, own) == own) continue;  // a polygon of several blocks
+                const auto surface = static_cast<std::size_t>(own);
+                add(fans.start[surface], fans.start[surface + 1]);
+            }
+        }
+    }
+    for (Index n = room.needle; n < room.needle + room.needles; ++n) {
+        const Needle& needle = rooms.needles[static_cast<std::size_t>(n)];
+        if (!clear_of(rooms, needle, line, 1)) add(needle.triangle, needle.triangle + 1);
+    }
+}
+
+}  // namespace jk

@@ -1,0 +1,62 @@
+// Sight between points of a level, in batches: all three tiers behind one call.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/locate.hpp"
+#include "geometry/mesh.hpp"
+#include "geometry/rooms.hpp"
+#include "geometry/search.hpp"
+#include "geometry/walk.hpp"
+
+namespace jk {
+
+enum class Tier { kFast, kBalanced, kExact };
+
+struct Sight {
+    std::vector<std::uint8_t> visible;
+    std::vector<Index> crossed, blocker;  // as in Verdict
+};
+
+// A mesh made ready for queries.
+class Viewer {
+public:
+    explicit Viewer(SectorMesh mesh);
+
+    Viewer(const Viewer&) = delete;  // its parts refer to each other
+    Viewer& operator=(const Viewer&) = delete;
+
+    const SectorMesh& mesh() const { return mesh_; }
+    const Fans& fans() const { return fans_; }
+    const Locator& locator() const { return locator_; }
+
+    // Answers one query a row: from origins (x y z, JKU) in sectors to targets. The rows are shared out among
+    // `threads` threads (0: one a core); the answers do not depend on how many. Throws std::invalid_argument naming
+    // the row when a sector is out of bounds or a coordinate is not finite or too great.
+    Sight sight(std::span<const double> origins, std::span<const Index> sectors, std::span<const double> targets,
+                Tier tier, unsigned threads) const;
+
+    // The way that decides one query, by the complete search.
+    Verdict explain(std::span<const double> origin, Index sector, std::span<const double> target,
+                    std::vector<Step>& path) const;
+
+    // How often `balanced` was in doubt over these queries, on one thread.
+    Doubts doubts(std::span<const double> origins, std::span<const Index> sectors,
+                  std::span<const double> targets) const;
+
+    // Bytes held, the mesh included.
+    std::size_t memory() const;
+
+private:
+    void check(std::span<const double> origins, std::span<const Index> sectors, std::span<const double> targets) const;
+    void answer(std::size_t row, std::span<const double> origins, std::span<const Index> sectors,
+                std::span<const double> targets, Tier tier, Sight& out) const;
+
+    SectorMesh mesh_;
+    Fans fans_;
+    Rooms rooms_;
+    Locator locator_;
+};
+
+}  // namespace jk

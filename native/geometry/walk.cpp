@@ -1,0 +1,85 @@
+#include "geometry/walk.hpp"
+
+#include <optional>
+
+#include "geometry/glance.hpp"
+
+namespace jk {
+namespace {
+
+class Walk {
+public:
+    Walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Segment& segment, Doubts& doubts)
+        : mesh_(mesh), fans_(fans), rooms_(rooms), segment_(segment), doubts_(doubts) {}
+
+    Verdict run(Index start) {
+        Index sector = start;
+        for (Index crossed = 1;; ++crossed) {
+            Glance seen = glance(rooms_, fans_, sector, segment_, entered_);
+            if (seen.kind == Glance::kDoubt)
+                seen = look(sector);
+            else
+                entry_.reset();
+            if (seen.kind == Glance::kEnds) return {true, crossed, -1};
+            if (seen.kind == Glance::kDoubt) {
+                ++doubts_.queries;
+                return search(mesh_, fans_, &rooms_, start, segment_);
+            }
+            if (seen.leads_to == kBlocks) return {false, crossed, seen.surface};
+            sector = seen.leads_to;
+            entered_by_ = seen.surface;
+            entered_ = seen.latest;
+        }
+    }
+
+private:
+    // The exact answer for one sector; in doubt when ways part or do not advance.
+    Glance look(Index sector) {
+        ++doubts_.sectors;
+        const std::optional<Crossing> entry = entry_ ? entry_ : entry_crossing();
+        Exits exits(fans_, segment_, entry);
+        exits.leave(mesh_, &rooms_, sector);
+        if (exits.found().empty()) return {Glance::kEnds};
+        for (const Crossing& exit : exits.found())
+            if (leads_to(exit) == kBlocks) return {Glance::kLeaves, surface(exit), kBlocks, 1};
+        const Crossing& exit = exits.found().front();
+        const bool advances = entry ? compare(fans_, segment_, exit, *entry) > 0 : exit.from.sign > 0;
+        if (exits.found().size() > 1 || !advances) return {Glance::kDoubt};
+        entry_ = exit;
+        return {Glance::kLeaves, surface(exit), leads_to(exit), latest(exit)};
+    }
+
+    // The exact crossing behind a certified one: the first through the surface's fan.
+    std::optional<Crossing> entry_crossing() const {
+        std::optional<Crossing> first;
+        if (entered_by_ < 0) return first;
+        const auto s = static_cast<std::size_t>(entered_by_);
+        for (Index t = fans_.start[s]; t < fans_.start[s + 1]; ++t) {
+            Crossing found;
+            if (!crosses(fans_, t, segment_, found)) continue;
+            if (!first || compare(fans_, segment_, found, *first) < 0) first = found;
+        }
+        return first;
+    }
+
+    Index surface(const Crossing& exit) const { return fans_.triangles[static_cast<std::size_t>(exit.triangle)].surface; }
+    Index leads_to(const Crossing& exit) const { return mesh_.leads_to[static_cast<std::size_t>(surface(exit))]; }
+
+    const SectorMesh& mesh_;
+    const Fans& fans_;
+    const Rooms& rooms_;
+    const Segment segment_;
+    Doubts& doubts_;
+    std::optional<Crossing> entry_;  // exact, where the last sector was searched completely
+    Index entered_by_ = -1;
+    float entered_ = 0;  // t of the entry at most
+};
+
+}  // namespace
+
+Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index sector, const Segment& segment,
+             Doubts& doubts) {
+    return Walk(mesh, fans, rooms, segment, doubts).run(sector);
+}
+
+}  // namespace jk

@@ -1,0 +1,21 @@
+// The balanced tier: a walk from sector to sector in float32 that trusts only what its bounds certify, and asks the
+// complete search about the rest. Its answers are those of the complete search.
+//
+// Each room is glanced at (glance.hpp). Where that leaves a doubt, the sector is searched, exactly, and the walk goes on
+// from there. Where several ways lead on, or one that does not advance, the search answers the whole query.
+#pragma once
+
+#include "geometry/rooms.hpp"
+#include "geometry/search.hpp"
+
+namespace jk {
+
+// How often the walk was in doubt: sectors searched completely, and whole queries.
+struct Doubts {
+    std::size_t sectors = 0, queries = 0;
+};
+
+Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index sector, const Segment& segment,
+             Doubts& doubts);
+
+}  // namespace jk
