@@ -19,7 +19,7 @@ from jktools.linter import UnknownRuleError
 from jktools.session import Batch, check
 from jktools.session.config import FailOn
 from jktools.session.settings import Game
-from jktools.session.write import write_atomically
+from jktools.session.write import write_report
 
 
 @click.command("lint")
@@ -90,7 +90,7 @@ def _write(batch: Batch, form: str, output: Path | None, color: str) -> None:
     if output is None:
         click.echo(report, nl=False, color=True)
     else:
-        write_atomically(output, report.encode())
+        write_report(output, report.encode())
 
 
 def _wants_colour(color: str) -> bool:

@@ -19,15 +19,28 @@ def write_atomically(target: Path, data: bytes | memoryview, *, durable: bool = 
     write_parts(target, [data], durable=durable)
 
 
+def write_report(target: Path, data: bytes) -> None:
+    """Write where a user pointed: through a link, and into a device or a pipe instead of replacing it.
+
+    Raises InputError.
+    """
+    try:
+        target = target.resolve()
+        if target.exists() and not target.is_file() and not target.is_dir():
+            with target.open("wb", buffering=0) as stream:
+                stream.write(data)
+            return
+    except OSError as error:
+        raise InputError(f"cannot write {target}: {(error.strerror or str(error)).lower()}") from error
+    write_atomically(target, data)
+
+
 def write_parts(target: Path, parts: Iterable[bytes | memoryview], *, durable: bool = True) -> int:
     """Write what comes piece by piece, as atomically, and give how many bytes it was.
 
     When a piece cannot be made the target stays as it was. Raises InputError.
     """
     try:
-        target = target.resolve() if target.is_symlink() else target
-        if target.exists() and not target.is_file() and not target.is_dir():
-            return _write_through(target, parts)
         target.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:60]}-")
         fresh = Path(name)
@@ -45,12 +58,6 @@ def write_parts(target: Path, parts: Iterable[bytes | memoryview], *, durable: b
     except OSError as error:
         raise InputError(f"cannot write {target}: {(error.strerror or str(error)).lower()}") from error
     return size
-
-
-def _write_through(target: Path, parts: Iterable[bytes | memoryview]) -> int:
-    """Write to a device or a pipe, which must not be replaced by a file."""
-    with target.open("wb", buffering=0) as stream:
-        return sum(stream.write(part) for part in parts)
 
 
 def _umask() -> int:
