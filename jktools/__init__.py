@@ -15,7 +15,6 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     from jktools.compiler import CompiledLevel as CompiledLevel
     from jktools.compiler import CompileError as CompileError
-    from jktools.compiler import compile_level as build  # noqa: F401 (an alias by design)
     from jktools.compiler import open_compiled as open_compiled
     from jktools.diagnostics import Diagnostic as Diagnostic
     from jktools.diagnostics import Severity as Severity
@@ -23,6 +22,7 @@ if TYPE_CHECKING:
     from jktools.linter import lint as lint
     from jktools.model import Level as Level
     from jktools.session import Settings as Settings
+    from jktools.session import build as build
     from jktools.session import check as check
     from jktools.session import load as load
     from jktools.session import mesh as mesh
@@ -36,7 +36,7 @@ _PUBLIC = {
     "Level": ("jktools.model", "Level"),
     "Settings": ("jktools.session", "Settings"),
     "Severity": ("jktools.diagnostics", "Severity"),
-    "build": ("jktools.compiler", "compile_level"),
+    "build": ("jktools.session", "build"),
     "check": ("jktools.session", "check"),
     "lint": ("jktools.linter", "lint"),
     "load": ("jktools.session", "load"),

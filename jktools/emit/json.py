@@ -36,7 +36,7 @@ def compiled(level: CompiledLevel) -> str:
     sections = {
         name: {
             "bytes": sum(c.nbytes for c in section.columns.values()),
-            "count": sum(c.size for c in section.columns.values()),
+            "count": len(section.columns),
         }
         for name, section in level.sections.items()
     }

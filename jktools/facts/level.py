@@ -6,7 +6,7 @@ from functools import cached_property
 
 from jktools import geometry
 from jktools.facts.templates import template_types, thing_types
-from jktools.geometry import Alignment, Concavity, Convexity, Corners, Extent, NormalFit, Outside, Planarity
+from jktools.geometry import Alignment, Convexity, Corners, Extent, NormalFit, Outside, Planarity, Turns
 from jktools.geometry.validity import Int32
 from jktools.model import Level
 
@@ -29,9 +29,9 @@ class LevelFacts:
         return geometry.surface_planarity(self.level)
 
     @cached_property
-    def concavity(self) -> Concavity:
-        """Each surface's most reflex corner."""
-        return geometry.surface_concavity(self.level)
+    def turns(self) -> Turns:
+        """How each corner of a surface turns."""
+        return geometry.corner_turns(self.level)
 
     @cached_property
     def collide_boxes(self) -> tuple[Int32, Outside]:

@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from jktools._native_geometry import points_outside as native_points_outside  # noqa: TID251 (this package is the door)
 from jktools._native_geometry import sector_convexity as native_sector_convexity  # noqa: TID251 (this package is the door)
+from jktools.geometry.corners import corners_of
 from jktools.model import Level
 
 Float64 = npt.NDArray[np.float64]
@@ -44,15 +45,16 @@ class Planarity(NamedTuple):
     distance: Float64
 
 
-class Concavity(NamedTuple):
-    """One entry a surface: its most reflex corner (-1: none), the cross product there and its depth.
+class Turns(NamedTuple):
+    """One entry a corner of the sound surfaces, in the order of the file.
 
     `cross` is the component along the normal of the cross product of the two edges, JKU squared, negative for a
     reflex corner: the figure that JED and SED compare. `depth` is how far the corner lies inside the line through
     its neighbours, JKU.
     """
 
-    corner: Int32
+    surface: npt.NDArray[np.intp]
+    corner: npt.NDArray[np.intp]
     cross: Float64
     depth: Float64
 
@@ -114,37 +116,6 @@ def collide_boxes_outside(level: Level) -> tuple[Int32, Outside]:
     return sectors, Outside(found.surface.reshape(-1, 8)[rows, worst], distance[rows, worst])
 
 
-class _Corners(NamedTuple):
-    """Corners of the sound surfaces: the surface of each, its position, and its surface's unit normal."""
-
-    surface: npt.NDArray[np.intp]
-    position: Float64
-    following: npt.NDArray[np.intp]
-    preceding: npt.NDArray[np.intp]
-    normal: Float64
-
-
-def _corners(level: Level) -> _Corners:
-    """`following` and `preceding` are positions in these arrays. Surfaces without area have the normal 0."""
-    table = level.document.surfaces
-    counts = np.where(level.sound_surfaces, np.diff(table.corner_start), 0)
-    surface = np.repeat(np.arange(len(counts)), counts)
-    keep = np.repeat(level.sound_surfaces, np.diff(table.corner_start))
-    position = level.vertices[table.corner_vertex[keep]].astype(np.float64)
-    starts = np.concatenate([[0], np.cumsum(counts)])
-    first, last = starts[surface], starts[surface + 1] - 1
-    here = np.arange(len(surface))
-    following = np.where(here == last, first, here + 1)
-    preceding = np.where(here == first, last, here - 1)
-    # Newell's vector area about each surface's first corner, which keeps the products small far from the origin.
-    local = position - position[first] if len(first) else position
-    area = np.zeros((len(counts), 3))
-    np.add.at(area, surface, np.cross(local, local[following]))
-    length = np.linalg.norm(area, axis=1, keepdims=True)
-    unit = np.divide(area, length, out=np.zeros_like(area), where=length > 0)
-    return _Corners(surface, position, following, preceding, unit[surface])
-
-
 def surface_planarity(level: Level) -> Planarity:
     """Measure every surface's corners against its plane.
 
@@ -152,42 +123,23 @@ def surface_planarity(level: Level) -> Planarity:
     measure from the first corner too, with the written normal, whose rounding at large coordinates exceeds the
     tolerance.
     """
-    corners = _corners(level)
-    first = level.document.surfaces.corner_start[:-1]
-    count = len(first)
-    if not len(corners.surface):
-        return Planarity(np.full(count, -1, np.int32), np.zeros(count))
-    starts = np.searchsorted(corners.surface, corners.surface)
-    offset = np.abs(((corners.position - corners.position[starts]) * corners.normal).sum(axis=1))
-    return Planarity(*_worst(count, corners.surface, starts, offset))
-
-
-def surface_concavity(level: Level) -> Concavity:
-    """Measure every corner's turn, as JED and SED do: (next - here) x (previous - here) along the normal."""
-    corners = _corners(level)
+    corners = corners_of(level)
     count = len(level.document.surfaces)
-    if not len(corners.surface):
-        return Concavity(np.full(count, -1, np.int32), np.zeros(count), np.zeros(count))
-    forward = corners.position[corners.following] - corners.position
+    corner, distance = np.full(count, -1, np.int32), np.zeros(count)
+    off = np.abs(((corners.position - corners.position[corners.first]) * corners.normal[corners.surface]).sum(axis=1))
+    order = np.argsort(off, kind="stable")
+    order = order[off[order] > 0]
+    corner[corners.surface[order]] = corners.place[order]  # assignment in order: the greatest one stays
+    distance[corners.surface[order]] = off[order]
+    return Planarity(corner, distance)
+
+
+def corner_turns(level: Level) -> Turns:
+    """Measure every corner's turn, as JED and SED do: (next - here) x (previous - here) along the normal."""
+    corners = corners_of(level)
+    forward = corners.edge
     backward = corners.position[corners.preceding] - corners.position
-    cross = (np.cross(forward, backward) * corners.normal).sum(axis=1)
+    cross = (np.cross(forward, backward) * corners.normal[corners.surface]).sum(axis=1)
     chord = np.linalg.norm(forward - backward, axis=1)
     depth = np.divide(-cross, chord, out=np.zeros_like(cross), where=chord > 0)
-    starts = np.searchsorted(corners.surface, corners.surface)
-    corner, reflex = _worst(count, corners.surface, starts, -cross)
-    own = np.searchsorted(corners.surface, np.arange(count)) + np.maximum(corner, 0)
-    deepest = np.where(corner >= 0, depth[np.minimum(own, len(depth) - 1)], 0.0)
-    return Concavity(corner, -reflex, deepest)
-
-
-def _worst(
-    count: int, surface: npt.NDArray[np.intp], starts: npt.NDArray[np.intp], badness: Float64
-) -> tuple[Int32, Float64]:
-    """The corner of greatest positive badness in each surface (-1: none), and that badness."""
-    corner = np.full(count, -1, np.int32)
-    value = np.zeros(count)
-    order = np.argsort(badness, kind="stable")
-    order = order[badness[order] > 0]
-    corner[surface[order]] = order - starts[order]  # assignment in order: the greatest one stays
-    value[surface[order]] = badness[order]
-    return corner, value
+    return Turns(corners.surface, corners.place, cross, depth)

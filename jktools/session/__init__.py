@@ -2,7 +2,7 @@
 
 from jktools.session.batch import Batch, Built, build_all, check
 from jktools.session.config import Config, ConfigError, find_config, load_config
-from jktools.session.levels import discover, game_of, load, mesh
+from jktools.session.levels import build, discover, game_of, load, mesh
 from jktools.session.settings import Ignore, Settings
 
 __all__ = [
@@ -12,6 +12,7 @@ __all__ = [
     "ConfigError",
     "Ignore",
     "Settings",
+    "build",
     "build_all",
     "check",
     "discover",

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import Literal, get_args
 
+from jktools.compiler import CompileSettings, compile_level
 from jktools.geometry import SectorMesh
 from jktools.model import Level
 from jktools.session.settings import Game, Settings
@@ -12,6 +14,9 @@ from jktools.source.container import PACK_SEPARATOR
 from jktools.syntax.jkl import read
 
 LEVEL_EXTENSION = "jkl"
+
+Accuracy = Literal["balanced", "exact"]
+ACCURACIES: tuple[Accuracy, ...] = get_args(Accuracy)
 
 
 def discover(typed: str, problems: list[str] | None = None) -> list[Member]:
@@ -70,6 +75,18 @@ def load(path: str, game: Game | None = None) -> Level:
     if not level.document.sections:
         raise InputError(f"cannot read {levels[0].path}: it has no SECTION: lines, so it is no level")
     return level
+
+
+def build(level: Level, accuracy: Accuracy = "balanced", engine: str = "research") -> bytes:
+    """Compile a level, as `jktools build` does, and give the bytes of the file.
+
+    What a file of this version holds is the same at every accuracy, so that only those that it keeps are taken:
+    `balanced` and `exact`. Raises CompileError for a level that the engine would refuse, ValueError for another
+    accuracy.
+    """
+    if accuracy not in ACCURACIES:
+        raise ValueError(f"accuracy is {accuracy!r}, but can be {' or '.join(ACCURACIES)}")
+    return compile_level(level, CompileSettings(engine, accuracy))
 
 
 def mesh(level: Level) -> SectorMesh:

@@ -18,6 +18,11 @@ def test_the_calls_of_the_readme(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assert (list(batch), batch.files, batch.problems) == ([], 1, [])
     data = jktools.build(level)
     assert data[4:8] == b"JKLB"
+    assert jktools.CompiledLevel(jktools.build(level, accuracy="exact")).settings["accuracy"] == "exact"
+    with pytest.raises(ValueError, match="accuracy is 'fast', but can be balanced or exact"):
+        jktools.build(level, accuracy="fast")
+    mesh = jktools.mesh(level)
+    assert mesh.locate([[0.5, 0.5, 0.5], [0.5, 1.5, 0.5], [9, 9, 9]]).tolist() == [0, 1, -1]
 
 
 def test_load_names_what_it_needs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -45,6 +45,17 @@ def test_a_reflex_corner_is_measured_from_the_line_through_its_neighbours() -> N
     assert any("corner at vertex 2 is reflex, 0.141421 JKU deep" in m for m in found)
 
 
+def test_a_long_edge_bent_within_rounding_does_not_hide_a_reflex_corner() -> None:
+    # The floor of room 0 with a notch 0.02 deep at vertex 2, between neighbours 0.1 apart: cross product 0.002. At
+    # vertex 1 an edge of 2000 JKU is bent inwards by 0.00005, which float32 may do: cross product 0.1.
+    found = messages(
+        "JK304", "World vertices 12", "0: 0 -1000 0", "3: 2 0 0", "2: 1.98 .05 0", "5: 2 .1 0", "4: 0 1000 0",
+        "1: .00005 0 0",
+        "World surfaces 12", "0: 0 0x5 0x4 4 3 1 -1 0 6 0,0 3,1 2,2 5,3 4,0 1,1 1 1 1 1 1 1",
+    )  # fmt: skip
+    assert [m for m in found if m.startswith("surface 0 ") and "vertex 2" in m]
+
+
 def test_a_thing_outside_its_sector() -> None:
     (message,) = messages("JK401", "World things 3", "1: ghost ghost .5 .75 .5 0 0 0 1")
     assert message == "thing 1 (ghost) names sector 1, but lies 0.25 JKU behind its surface 8"

@@ -35,7 +35,8 @@ def surface_not_convex(level: Level, facts: LevelFacts, options: Tolerances) -> 
     The engine draws and clips a surface as a convex polygon: a reflex corner is drawn over or left out.
 
     A corner counts when both the cross product of its edges is below -0.0001 JKU squared (the figure of JED and SED)
-    and the corner lies more than 0.0001 JKU inside the line through its neighbours.
+    and the corner lies more than 0.0001 JKU inside the line through its neighbours. The deepest one of a surface is
+    told.
 
     ## Bad
         World vertices 12
@@ -45,16 +46,18 @@ def surface_not_convex(level: Level, facts: LevelFacts, options: Tolerances) -> 
         World vertices 12
         2: 1 1 0
     """
-    concavity = facts.concavity
-    reflex = (concavity.cross < -options.cross) & (concavity.depth > options.depth)
-    for index in np.flatnonzero(reflex).tolist():
+    turns = facts.turns
+    reflex = np.flatnonzero((turns.cross < -options.cross) & (turns.depth > options.depth))
+    deepest_last = reflex[np.argsort(turns.depth[reflex], kind="stable")]
+    worst = dict(zip(turns.surface[deepest_last].tolist(), deepest_last.tolist(), strict=True))
+    for index in sorted(worst):
         surface = level.surfaces[index]
-        corner = int(concavity.corner[index])
+        corner = int(turns.corner[worst[index]])
         vertex = int(surface.vertices[corner])
         yield Finding(
             Label(surface.corner_span(corner)),
             f"{surface.title} should be convex, but its corner at vertex {vertex} is reflex, "
-            f"{concavity.depth[index]:.6g} JKU deep",
+            f"{turns.depth[worst[index]]:.6g} JKU deep",
             "cleave the surface at that corner",
             surface.subject,
             (Label(level.line_span(int(level.document.vertices.lines[vertex])), f"vertex {vertex}"),),
