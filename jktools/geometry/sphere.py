@@ -10,11 +10,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from jktools.engine.ground import TOUCH, Vector
-
-GRAZE = 1e-12
-"""JKU: a motion that goes into a surface by less than this in all goes along it. What is left of a motion after it was
-turned along a wall points into it by some 1e-17, and must not count as running into it again."""
+from jktools.engine.ground import GRAZE, TOUCH, Vector
 
 
 class Edge(NamedTuple):

@@ -11,6 +11,7 @@ from jktools.engine import orientation
 from jktools.engine.arrays import Float64
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
+from jktools.engine.flags import SurfaceFlag
 from jktools.engine.ground import Steps, Vector
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
@@ -46,6 +47,12 @@ class LevelSimulation(Simulation):
         super().__init__(body, self.level_ground, world, engine, scheme, np.array(start.position, np.float64))
         self.look: Float64 = orientation.matrix((0.0, start.yaw, 0.0))
 
+    def rest_on_ground(self) -> None:
+        """Set the body down on a surface up to two hover heights below it, a standing body's search; else it falls."""
+        near = self.ground.floor_below(self._place(), 2 * self.hover_height(), 0.0, int(SurfaceFlag.COLLISION))
+        if near is not None:
+            super().rest_on_ground()
+
     def tick(self, keys: Keys, dt: float, *, jumps: bool = False) -> tuple[Float64, list[tuple[Event, float]]]:
         """Advance by `dt` seconds under the flags of the sector in which the body is (see `Simulation.tick`)."""
         self.level_ground.move_to(self._place())
@@ -67,7 +74,7 @@ def trace_in_level(
     scheme: Scheme | None = None,
     fps: float = 50.0,
 ) -> History:
-    """Simulate a body in a level under a script's text, from rest on the floor below its start.
+    """Simulate a body in a level under a script's text, from rest on the floor if one is near below its start.
 
     Raises ScriptError for a line that makes no sense, NotStatedError for what the profile does not say, and
     ValueError for a script that brings its own floors or a start outside the level.
