@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 
 from fixtures.rooms import Level as Builder
 from fixtures.smithdev.make import TARGET
+from jktools.cli import main
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER
 from jktools.engine.flags import SectorFlag
@@ -24,7 +26,7 @@ from jktools.model import Level
 from jktools.trace.in_level import LevelSimulation, Start, start_at, trace_in_level
 from jktools.trace.level_ground import LevelGround
 from jktools.trace.script import parse
-from tests.support.levels import corpus_files, level_of, two_rooms
+from tests.support.levels import ROOT, corpus_files, level_of, two_rooms
 from tests.support.terraces import rounded, terraces
 
 R, HOVER = 0.065, 0.120114
@@ -132,6 +134,14 @@ def test_the_hub_the_pit_room_and_the_pit() -> None:
     assert walk.position[-1] == pytest.approx([7 - R, 2, HOVER - 0.2], abs=1e-7)
 
 
+def test_the_example_of_the_docs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "walk.txt").write_text("0 walk right\n12 end\n")
+    assert main(["trace", "run", str(tmp_path / "walk.txt"), "--level", str(TARGET), "--at", "0"]) == 0
+    said = capsys.readouterr().err.splitlines()
+    page = (ROOT / "docs/engine.md").read_text("utf-8")
+    assert len(said) == 2 and "".join(f"    {line}\n" for line in said) in page
+
+
 def test_beside_the_door_is_a_wall() -> None:
     assert end("0 run right\n6 end", SMITHDEV, Start((2, 2.6, 0.18), 0))[0] == pytest.approx(4 - R, abs=1e-12)
 
@@ -190,6 +200,26 @@ WALKS = {
 @pytest.mark.parametrize(("shape", "walk", "fps"), list(itertools.product(SHAPES, WALKS, (10.0, 50.0))))
 def test_moves_as_over_floors_given_by_numbers(shape: str, walk: str, fps: float, engine: Engine) -> None:
     assert_same(*both(SHAPES[shape], WALKS[walk], engine, fps, -0.5))
+
+
+ACTIONS = ["run forward", "run back", "walk forward", "walk back", "jump", "crouch", "stand", "release"]
+
+
+@settings(deadline=None, max_examples=40)
+@given(
+    st.lists(st.tuples(st.integers(1, 8), st.sampled_from([-20, -8, -4, -2, 2, 3, 4, 8])), min_size=1, max_size=6),
+    st.lists(st.sampled_from(ACTIONS), min_size=8, max_size=8),
+    st.sampled_from(Engine),
+    st.sampled_from([10.0, 30.0, 50.0]),
+)
+def test_moves_as_over_any_treads(rises: list[tuple[int, int]], actions: list[str], engine: Engine, fps: float) -> None:
+    """Treads of eighths, rises of 64ths of a JKU, keys every half second."""
+    starts = itertools.accumulate((width for width, _ in rises), initial=0)
+    heights = itertools.accumulate((rise for _, rise in rises))
+    treads = zip(starts, heights, strict=False)
+    steps = rounded((-1, 0), *((start / 8, height / 64) for start, height in treads))
+    script = "".join(f"{i / 2} {action}\n" for i, action in enumerate(actions))
+    assert_same(*both(steps, f"{script}4 end", engine, fps, -0.5))
 
 
 # ---- never through a wall
