@@ -67,6 +67,27 @@ def test_crossing_the_adjoin_changes_the_sector() -> None:
         assert feet.sector == sector, y
 
 
+def test_the_adjoin_passed_decides_between_overlapping_sectors() -> None:
+    """Two rooms in the same place, one behind each half of a wall."""
+    builder = Builder("halves")
+    here = builder.room((0, 0, 0), (1, 1, 1))
+    for left in (0, 0.5):
+        there = builder.room((0, 1, 0), (1, 2, 1))
+        builder.window(here, there, (left, 1, 0), (left + 0.5, 1, 1))
+    level = level_of(builder.text())
+    for x, sector in ((0.25, 1), (0.75, 2)):
+        feet = ground(level, x, 0.9, 0.12)
+        feet.move_to((x, 1.1, 0.12))
+        assert feet.sector == sector
+
+
+def test_the_ray_down_reaches_as_far_as_told() -> None:
+    feet = ground(ROOMS, 0.5, 0.5, 0.5)
+    assert feet.floor_below((0.5, 0.5, 0.5), 0.499, 0.0, 0x1) is None
+    found = feet.floor_below((0.5, 0.5, 0.5), 0.5, 0.0, 0x1)
+    assert found and found.point == (0.5, 0.5, 0.0) and found.normal == (0.0, 0.0, 1.0) and found.surface == 0x5
+
+
 @pytest.mark.parametrize("flags", ["0x5", "0x4"])
 def test_an_adjoin_without_movement_is_a_wall(flags: str) -> None:
     shut = level_of(two_rooms("World adjoins 2", f"0: {flags} 1 1", f"1: {flags} 0 1"))
@@ -142,6 +163,13 @@ def test_the_example_of_the_docs(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert len(said) == 2 and "".join(f"    {line}\n" for line in said) in page
 
 
+def test_on_an_edge_the_higher_floor_carries() -> None:
+    feet = ground(SMITHDEV, 4.5, 2, 0.12, sector=2)
+    for x, height in ((5.0, 0.0), (5.001, -0.2)):
+        found = feet.floor_below((x, 2, 0.12), 1.0, 0.0, 0x1)
+        assert found and found.point[2] == pytest.approx(height, abs=1e-7)
+
+
 def test_beside_the_door_is_a_wall() -> None:
     assert end("0 run right\n6 end", SMITHDEV, Start((2, 2.6, 0.18), 0))[0] == pytest.approx(4 - R, abs=1e-12)
 
@@ -151,7 +179,10 @@ def test_glass_stops_and_is_no_floor() -> None:
 
 
 @pytest.mark.parametrize("engine", Engine)
-@pytest.mark.parametrize(("depth", "events"), [(0.1, []), (0.2, [Event.DETACHES, Event.ATTACHES])])
+@pytest.mark.parametrize(
+    ("depth", "events"),
+    [(0.1, []), (0.185, []), (0.1852, [Event.DETACHES, Event.ATTACHES]), (0.2, [Event.DETACHES, Event.ATTACHES])],
+)
 def test_pits_beyond_the_reattach_distance_detach(engine: Engine, depth: float, events: list[Event]) -> None:
     """Insert offset 0.120114 and movesize 0.065 reattach up to 0.185114 (research document, "Descending")."""
     pit = terraces([Tread(-1, 0), Tread(0, -depth)])
