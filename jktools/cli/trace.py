@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import click
 
@@ -13,8 +13,10 @@ from jktools.engine.body import WALKPLAYER, Body
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
 from jktools.engine.simulation import History
+from jktools.session.levels import load
 from jktools.trace import fit, recording, script, trace
 from jktools.trace.fitting import Fit, FitError, Interval
+from jktools.trace.in_level import start_at, trace_in_level
 from jktools.trace.write import to_csv, write
 
 PARAMETERS = {field.name for field in dataclasses.fields(Body)}
@@ -48,20 +50,27 @@ def command() -> None:
     "--fps", type=click.FloatRange(min=0, min_open=True), default=50.0, show_default=True, help="Frames a second."
 )
 @click.option("--set", "settings", metavar="NAME=VALUE", multiple=True, help="Change one of walkplayer's parameters.")
+@click.option("--level", metavar="PATH", help="Walk in this level, on its floors and against its walls; needs --at.")
+@click.option("--at", "place", metavar="THING|x,y,z,sector", help="Where in the level: a thing's number, or a point.")
 def run_command(
-    path: Path, output: Path | None, engine: str, scheme: str | None, fps: float, settings: tuple[str, ...]
+    path: Path,
+    output: Path | None,
+    engine: str,
+    scheme: str | None,
+    fps: float,
+    settings: tuple[str, ...],
+    level: str | None,
+    place: str | None,
 ) -> None:
     """Simulate walkplayer under SCRIPT."""
     if output is not None and output.suffix.lower() not in (".csv", ".m", ".png"):
         raise click.BadParameter(f"{output.name} names no format: .csv, .m or .png", param_hint="--output")
+    if (level is None) != (place is None):
+        raise click.UsageError("--level and --at go together")
+    options = _Options(_body(settings), Engine(engine), Scheme(scheme) if scheme else None, fps)
     try:
-        history = trace(
-            path.read_text(encoding="utf-8"),
-            body=_body(settings),
-            engine=Engine(engine),
-            scheme=Scheme(scheme) if scheme else None,
-            fps=fps,
-        )
+        text = path.read_text(encoding="utf-8")
+        history = trace(text, **options._asdict()) if level is None else _in_level(text, level, place or "", options)
     except ValueError as error:
         raise click.ClickException(f"{path}: {error}") from None
     if output is None:
@@ -69,6 +78,22 @@ def run_command(
     else:
         write(history, output)
     _tell(history)
+
+
+class _Options(NamedTuple):
+    body: Body
+    engine: Engine
+    scheme: Scheme | None
+    fps: float
+
+
+def _in_level(text: str, path: str, place: str, options: _Options) -> History:
+    level = load(path)
+    try:
+        start = start_at(level, place)
+    except ValueError as error:
+        raise click.BadParameter(f"{path}: {error}", param_hint="--at") from None
+    return trace_in_level(text, level, start, **options._asdict())
 
 
 def _body(settings: tuple[str, ...]) -> Body:

@@ -15,6 +15,10 @@ UP: Vector = (0.0, 0.0, 1.0)
 TOUCH = 1e-9
 """JKU: a sphere this close to a surface touches it. Far above the rounding of a position of some hundred JKU
 (3e-14), far below anything that the game tells apart (1e-5)."""
+GRAZE = 1e-12
+"""JKU: a motion that goes into a surface by less than this in all goes along it. What is left of a motion after it was
+turned along an edge points into it or away by some 1e-17: were that a contact, rounding would decide whether the body
+slides on or stays for the tick."""
 
 _SOLID_FLOOR = SurfaceFlag.FLOOR | SurfaceFlag.COLLISION
 
@@ -207,6 +211,6 @@ class _Path(NamedTuple):
         # The squares cancel far away; the distance from the line does not.
         beside = oy * self.dz - oz * self.dy
         inside = self.radius * self.radius - beside * beside
-        if along >= 0 or inside <= 0 or apart < -TOUCH:
+        if along >= -GRAZE or inside <= 0 or apart < -TOUCH:
             return None
         return max(0.0, -along - math.sqrt(inside))

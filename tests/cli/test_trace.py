@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from jktools.cli import main
+from tests.support.levels import TWO_ROOMS
 
 SCRIPT = "0 walk forward\n2 release\n2.5 jump\n4 end\n"
 
@@ -40,9 +41,26 @@ def test_a_blow_up_is_noted(capsys: pytest.CaptureFixture[str]) -> None:
     assert "note: surfdrag: semi-implicit-euler blows up" in capsys.readouterr().err
 
 
+def test_runs_in_a_level(here: Path, level_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The two rooms: from the middle of the first through the adjoin to the far wall, y = 2 less the movesize."""
+    (here / "run.txt").write_text("0 run forward\n3 end\n")
+    assert main(["trace", "run", "run.txt", "--level", level_file.name, "--at", ".5,.5,.1,0"]) == 0
+    out = capsys.readouterr()
+    header, *_, last = (line.split(",") for line in out.out.splitlines())
+    row = dict(zip(header, last, strict=True))
+    place = [float(row[f"position_{axis}"]) for axis in "xyz"]
+    assert place == pytest.approx([0.5, 1.935, 0.120114], abs=1e-9) and out.err == ""
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
+        ("run walk.txt --level rooms.jkl", "--level and --at go together"),
+        ("run walk.txt --at 0", "--level and --at go together"),
+        ("run walk.txt --level none.jkl --at 0", "cannot read none.jkl"),
+        ("run walk.txt --level rooms.jkl --at 7", "rooms.jkl: the level has no thing 7"),
+        ("run walk.txt --level rooms.jkl --at 0,0,0,2", "rooms.jkl: sector 2 is none of the level's 2"),
+        ("run icy.txt --level rooms.jkl --at .5,.5,.1,0", "icy.txt: a script for a level has no floor"),
         ("run walk.txt -o a.gif", "a.gif names no format"),
         ("run none.txt", "does not exist"),
         ("run walk.txt --set speed=1", "speed is none of airdrag"),
@@ -57,6 +75,8 @@ def test_a_blow_up_is_noted(capsys: pytest.CaptureFixture[str]) -> None:
     ],
 )
 def test_mistakes_are_told(here: Path, words: str, said: str, capsys: pytest.CaptureFixture[str]) -> None:
+    (here / "icy.txt").write_text("0 surface icy\n1 end")
+    (here / "rooms.jkl").write_text(TWO_ROOMS, "ascii")
     (here / "bad.txt").write_text("0 hop\n1 end")
     (here / "deep.txt").write_text("0 surface deep-water\n0 walk forward\n1 end")
     (here / "long.txt").write_text("1e30 end")
