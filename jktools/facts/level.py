@@ -6,7 +6,18 @@ from functools import cached_property
 
 from jktools import geometry
 from jktools.facts.templates import template_types, thing_types
-from jktools.geometry import Alignment, Convexity, Corners, Extent, NormalFit, Outside, Planarity, Turns
+from jktools.geometry import (
+    Alignment,
+    Convexity,
+    Corners,
+    Extent,
+    NormalFit,
+    Outside,
+    Overlaps,
+    Planarity,
+    SectorMesh,
+    Turns,
+)
 from jktools.geometry.validity import Int32
 from jktools.model import Level
 
@@ -32,6 +43,16 @@ class LevelFacts:
     def turns(self) -> Turns:
         """How each corner of a surface turns."""
         return geometry.corner_turns(self.level)
+
+    @cached_property
+    def mesh(self) -> SectorMesh:
+        """The sectors, ready for questions of place and sight."""
+        return SectorMesh.from_level(self.level)
+
+    @cached_property
+    def overlaps(self) -> Overlaps:
+        """The pairs of sectors that overlap."""
+        return geometry.sector_overlaps(self.mesh)
 
     @cached_property
     def collide_boxes(self) -> tuple[Int32, Outside]:
