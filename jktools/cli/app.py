@@ -78,11 +78,10 @@ def run(words: Sequence[str]) -> int:
     except (click.Abort, KeyboardInterrupt):
         return 130
     except BrokenPipeError:
-        # The reader of our output has gone; say nothing, and keep Python from flushing into the void.
-        with contextlib.suppress(OSError):
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _let_go_of_stdout()
         return Status.CLEAN
     except OSError as error:
+        _let_go_of_stdout()
         problem(f"cannot write the output: {(error.strerror or str(error)).lower()}")
         return Status.USAGE
     except Exception as error:
@@ -90,6 +89,12 @@ def run(words: Sequence[str]) -> int:
             raise
         problem(f"a bug in jktools: {type(error).__name__}: {error} (JKTOOLS_TRACEBACK=1 shows where)")
         return Status.BUG
+
+
+def _let_go_of_stdout() -> None:
+    """Keep Python from flushing, at its end, into what takes no more: a closed pipe or a full disk."""
+    with contextlib.suppress(OSError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def common(function: Any) -> Any:
