@@ -7,7 +7,8 @@ from functools import cached_property
 import numpy as np
 
 from jktools.diagnostics import Diagnostic
-from jktools.model.views import Adjoin, Cog, Records, Sector, Surface, Template, Thing
+from jktools.model.objects import Cog, Template, Thing
+from jktools.model.views import Adjoin, Records, Sector, Surface
 from jktools.source import Source, Span
 from jktools.syntax.jkl import Document, Header
 from jktools.syntax.jkl.document import Bool, Float32, Int32

@@ -1,4 +1,4 @@
-"""Records of a level, made on demand over its columns."""
+"""Records of a level's geometry, made on demand over its columns, and what all records have in common."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from jktools.diagnostics import Subject
 from jktools.source import Span
-from jktools.syntax.jkl import Parameters, Table, records
+from jktools.syntax.jkl import Table, records
 from jktools.syntax.jkl.document import Float32, Int32
 from jktools.syntax.jkl.records import Record
 
@@ -143,12 +143,12 @@ class Adjoin(View):
     @property
     def surface(self) -> Surface | None:
         """The surface that carries it."""
-        return _optional(self.level.surfaces, self.level.adjoin_surface[self.index])
+        return optional(self.level.surfaces, self.level.adjoin_surface[self.index])
 
     @property
     def sector(self) -> Sector | None:
         """The sector that it leads into."""
-        return _optional(self.level.sectors, self.level.adjoin_sector[self.index])
+        return optional(self.level.sectors, self.level.adjoin_sector[self.index])
 
 
 class Surface(View):
@@ -192,12 +192,12 @@ class Surface(View):
     @property
     def adjoin(self) -> Adjoin | None:
         """Its adjoin."""
-        return _optional(self.level.adjoins, self.adjoin_index)
+        return optional(self.level.adjoins, self.adjoin_index)
 
     @property
     def sector(self) -> Sector | None:
         """The sector that claims it."""
-        return _optional(self.level.sectors, self.level.surface_sector[self.index])
+        return optional(self.level.sectors, self.level.surface_sector[self.index])
 
     @property
     def vertices(self) -> Int32:
@@ -302,168 +302,7 @@ class Sector(View):
         return self.level.document.field_span(records.SECTOR_VERTEX, line, 1)
 
 
-class _WithParameters(View):
-    @property
-    def _words(self) -> Parameters:
-        raise NotImplementedError
-
-    @property
-    def parameters(self) -> list[tuple[str, str]]:
-        """Its own parameters in order, as written, without what it inherits."""
-        start, end = self._words.start[self.index], self._words.start[self.index + 1]
-        return list(zip(self._words.keys[start:end], self._words.values[start:end], strict=True))
-
-
-class Template(_WithParameters):
-    """A kind of thing."""
-
-    kind = "template"
-    record = records.TEMPLATE
-
-    @property
-    def _table(self) -> Table:
-        return self.level.document.templates
-
-    @property
-    def _words(self) -> Parameters:
-        return self.level.document.templates.parameters
-
-    @property
-    def name(self) -> str:
-        """As written."""
-        return self.level.document.templates.names[self.index]
-
-    @property
-    def title(self) -> str:
-        """For messages: `template 12 (walkplayer)`."""
-        return f"template {self.index} ({self.name})"
-
-    @property
-    def parent_name(self) -> str:
-        """As written; `none` for a blank base."""
-        return self.level.document.templates.parents[self.index]
-
-    @property
-    def parent(self) -> Template | None:
-        """The template that it inherits from: the first of that name, and only one that stands before it."""
-        index = self.level.template_by_name.get(self.parent_name.lower(), -1)
-        return self.level.templates[index] if 0 <= index < self.index else None
-
-    @property
-    def dropped(self) -> str | None:
-        """The engine keeps the first of a name and no more than the heading announces (sithTemplate_Load)."""
-        if self.broken:
-            return "its line could not be read"
-        first = self.level.template_by_name[self.name.lower()]
-        if first != self.index:
-            return f"template {first} has the same name and comes first"
-        heading = self.level.document.templates.heading
-        if heading is not None and self.index >= heading.count:
-            return f"the heading announces {heading.count} templates"
-        return None
-
-
-class Thing(_WithParameters):
-    """A thing as placed."""
-
-    kind = "thing"
-    record = records.THING
-
-    @property
-    def _table(self) -> Table:
-        return self.level.document.things
-
-    @property
-    def _words(self) -> Parameters:
-        return self.level.document.things.parameters
-
-    @property
-    def number(self) -> int:
-        """The engine's thing number, which COGs use: the label before the colon."""
-        return int(self.level.document.things.number[self.index])
-
-    @property
-    def name(self) -> str:
-        """As written; the engine uses it for nothing."""
-        return self.level.document.things.names[self.index]
-
-    @property
-    def title(self) -> str:
-        """For messages: `thing 12 (walkplayer)`, by the engine's number."""
-        return f"thing {self.number} ({self.template_name})"
-
-    @property
-    def template_name(self) -> str:
-        """As written."""
-        return self.level.document.things.templates[self.index]
-
-    @property
-    def template(self) -> Template | None:
-        """Its template; None makes the engine place a blank thing."""
-        return _optional(self.level.templates, self.level.template_by_name.get(self.template_name.lower(), -1))
-
-    @property
-    def position(self) -> Float32:
-        """(3,) float32, JKU."""
-        position: Float32 = self.level.document.things.position[self.index]
-        return position
-
-    @property
-    def angles(self) -> Float32:
-        """(3,) float32: pitch, yaw and roll, degrees."""
-        angles: Float32 = self.level.document.things.angles[self.index]
-        return angles
-
-    @property
-    def sector_index(self) -> int:
-        """As written."""
-        return int(self.level.document.things.sector[self.index])
-
-    @property
-    def sector(self) -> Sector | None:
-        """The sector that it names."""
-        return _optional(self.level.sectors, self.sector_index)
-
-    @property
-    def dropped(self) -> str | None:
-        """The engine skips a thing whose sector does not exist (sithThing_Load)."""
-        if self.broken:
-            return "its line could not be read"
-        if self.sector is None:
-            return f"sector {self.sector_index} does not exist"
-        return None
-
-
-class Cog(View):
-    """A placed COG."""
-
-    kind = "cog"
-    record = records.COG
-
-    @property
-    def _table(self) -> Table:
-        return self.level.document.cogs
-
-    @property
-    def name(self) -> str:
-        """The script's file name as written."""
-        return self.level.document.cogs.scripts[self.index]
-
-    script = name
-
-    @property
-    def title(self) -> str:
-        """For messages: `cog 3 (00_door.cog)`."""
-        return f"cog {self.index} ({self.name})"
-
-    @property
-    def values(self) -> tuple[str, ...]:
-        """The values behind the script, as written."""
-        table = self.level.document.cogs
-        return table.values[table.value_start[self.index] : table.value_start[self.index + 1]]
-
-
-def _optional(sequence: Records[ViewT], index: int) -> ViewT | None:
+def optional(sequence: Records[ViewT], index: int) -> ViewT | None:
     """The record, or None where the index refers to nothing."""
     return sequence[int(index)] if 0 <= index < len(sequence) else None
 
