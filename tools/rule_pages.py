@@ -95,5 +95,6 @@ def _page(rule: Rule, counts: dict[str, Any], precision: dict[str, Any]) -> Iter
         yield "## On real levels"
         yield f"{count['findings']} findings in {count['files']} of {counts['files']} files."
     if precision:
-        verdict = f"Of {precision['read']} read in the level, {precision['true']} were true."
-        yield f"{verdict} {precision.get('note', '')}".strip()
+        read, true = precision["read"], precision["true"]
+        verdict = f"Of {read} read in the level, {true} were true. " if read else ""
+        yield f"{verdict}{precision.get('note', '')}".strip()
