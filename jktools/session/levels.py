@@ -11,9 +11,12 @@ from jktools.model import Level
 from jktools.session.settings import Game, Settings
 from jktools.source import PACK_EXTENSIONS, Container, Folder, InputError, Member, Target, Zip, enter, resolve
 from jktools.source.container import PACK_SEPARATOR
-from jktools.syntax.jkl import read
+from jktools.syntax.jkl import read as read_jkl
+from jktools.syntax.jkl import read_library
 
 LEVEL_EXTENSION = "jkl"
+LIBRARY_EXTENSION = "tpl"
+"""A template library of an editor: read as a level that holds templates only."""
 
 Accuracy = Literal["balanced", "exact"]
 ACCURACIES: tuple[Accuracy, ...] = get_args(Accuracy)
@@ -38,7 +41,7 @@ def discover(typed: str, problems: list[str] | None = None) -> list[Member]:
 
 def _levels(target: Target, problems: list[str]) -> Iterator[Member]:
     for member in target.members if isinstance(target, Container) else [target]:
-        if member.extension == LEVEL_EXTENSION:
+        if member.extension in (LEVEL_EXTENSION, LIBRARY_EXTENSION):
             yield member
         # The game opens no pack inside a GOB; by its path one can be read all the same.
         elif member.extension in PACK_EXTENSIONS and isinstance(target, (Folder, Zip)):
@@ -59,6 +62,7 @@ def game_of(member: Member, chosen: Game | None) -> Game:
 def read_level(member: Member, settings: Settings) -> Level:
     """Read one level. Raises InputError when the file cannot be opened; its faults are in `diagnostics`."""
     game = game_of(member, settings.game)
+    read = read_library if member.extension == LIBRARY_EXTENSION else read_jkl
     return Level(read(member.read(), game, strict_grammar=settings.strict_grammar))
 
 
