@@ -4,9 +4,9 @@ Source: sithTemplate_Parse, sithThing_ParseArg and their kin in the decompiled e
 the first to the last. A template starts as a copy of its parent's whole record, if the parent stands above, and each of
 its parameters then changes that copy. A thing starts as a copy of its template.
 
-Values of the types share their memory, as do those of the ways to move: where a line changes `type` or `move` to one
-that is served otherwise, what was set for the former is read as something else. Such values are told as lost; what the
-engine then reads is not worked out.
+Values of the types share their memory, as do those of the ways to move. A type without values of its own (cog, ghost)
+leaves them be; one with others reads them as something else. Such values are told as lost: what the engine then reads
+in their place is not worked out.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import enum
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from jktools.syntax.template.parameters import (
     MOST_DEBRIS,
@@ -45,7 +45,8 @@ SHAPES = ("model3d", "sprite", "particle")
 ANGLES = -1
 """In place of a parameter: pitch, yaw and roll of a thing's line."""
 
-_SHARED_SCOPES = frozenset({*TYPE_SCOPE.values(), *MOVE_SCOPE.values()})
+Memory = Literal["type", "move"]
+"""What shares memory."""
 
 
 class Reason(enum.Enum):
@@ -107,6 +108,13 @@ class Lost(NamedTuple):
     origin: Origin
 
 
+class Parked(NamedTuple):
+    """Values that a type or a way to move without values of its own leaves in memory."""
+
+    scope: Scope
+    values: Mapping[str, Setting]
+
+
 @dataclass(frozen=True, slots=True)
 class Resolved:
     """A template or thing as the engine holds it."""
@@ -123,6 +131,8 @@ class Resolved:
     """Of its own line."""
     lost: tuple[Lost, ...]
     """Through its own line."""
+    parked: Mapping[Memory, Parked]
+    """What lies in memory unused."""
     leaves_level: bool
     """Whether it, or an ancestor, copies a template that is not at hand: the game's own may hold anything."""
     dropped: str | None
@@ -255,6 +265,7 @@ class _Line:
         self.type = FREE if parent is None else parent.type
         self.move = STILL if parent is None else parent.move
         self.has_ai = parent is not None and parent.has_ai
+        self.parked: dict[Memory, Parked] = {} if parent is None else dict(parent.parked)
         self.ignored: list[Ignored] = []
         self.lost: list[Lost] = []
 
@@ -262,7 +273,7 @@ class _Line:
         """What the line made."""
         return Resolved(
             self.owner, self.parent, MappingProxyType(self.values), self.type, self.move, self.has_ai,
-            tuple(self.ignored), tuple(self.lost), leaves_level, dropped,
+            tuple(self.ignored), tuple(self.lost), self.parked, leaves_level, dropped,
         )  # fmt: skip
 
     def turn(self, angles: Sequence[float]) -> None:
@@ -331,10 +342,8 @@ class _Line:
 
     def _set_type(self, key: str, use: Use, value: Value, text: str, origin: Origin) -> Reason | None:
         word = str(value) if value in TYPES else FREE
-        before, self.type = TYPE_SCOPE.get(self.type), word
-        after = TYPE_SCOPE.get(word)
-        if before is not after:
-            self._lose(before, origin)
+        self._switch("type", TYPE_SCOPE.get(self.type), TYPE_SCOPE.get(word), origin)
+        self.type = word
         if word == AI_TYPE:
             self.has_ai = True
         elif word in ("explosion", "particle"):
@@ -345,9 +354,8 @@ class _Line:
     def _set_move(self, key: str, use: Use, value: Value, text: str, origin: Origin) -> Reason | None:
         if value not in MOVES:
             return Reason.REJECTED
-        before, self.move = MOVE_SCOPE.get(self.move), str(value)
-        if before is not MOVE_SCOPE.get(self.move):
-            self._lose(before, origin)
+        self._switch("move", MOVE_SCOPE.get(self.move), MOVE_SCOPE.get(str(value)), origin)
+        self.move = str(value)
         return self._set(key, use, value, text, origin)
 
     def _set_ai(self, key: str, use: Use, value: Value, text: str, origin: Origin) -> Reason | None:
@@ -437,11 +445,23 @@ class _Line:
         origins = (*before.origins, origin) if before is not None else (origin,)
         self.values[key] = Setting(value | bits, f"0x{value | bits:x}", use, origins)
 
-    def _lose(self, scope: Scope | None, origin: Origin) -> None:
-        if scope not in _SHARED_SCOPES:
+    def _switch(self, memory: Memory, before: Scope | None, after: Scope | None, origin: Origin) -> None:
+        """Hand the memory from the values of one scope to those of another."""
+        if before is after:
             return
-        for key in [k for k, setting in self.values.items() if setting.use.scope is scope]:
-            self.lost.append(Lost(key, self.values.pop(key), origin))
+        if before is not None:
+            keys = [key for key, setting in self.values.items() if setting.use.scope is before]
+            held: Parked | None = Parked(before, {key: self.values.pop(key) for key in keys})
+        else:
+            held = self.parked.pop(memory, None)
+        if held is None:
+            return
+        if after is None:
+            self.parked[memory] = held
+        elif after is held.scope:
+            self.values.update(held.values)
+        else:
+            self.lost += [Lost(key, setting, origin) for key, setting in held.values.items()]
 
     def _ignore(self, key: str, text: str, reason: Reason, origin: Origin) -> None:
         self.ignored.append(Ignored(key, text, reason, origin, self.type, self.move))

@@ -82,7 +82,8 @@ _CLEAN: Mapping[ValueKind, re.Pattern[str]] = MappingProxyType(
 """What the grammar's value rules match, as patterns for speed; a test holds the two together."""
 
 LEAST, MOST = -(2**31), 2**31 - 1
-HEX_RANGE = 2**32
+HEX_RANGE, HEX_DIGITS = 2**32, 8
+"""Flags are held in 32 bits; of more digits scanf keeps the last."""
 MOST_DIGITS = 40
 """Digits that are read of a whole number; one with more is beyond 32 bits whatever they are."""
 
@@ -140,11 +141,10 @@ def _float(text: str) -> float:
 
 def _whole(text: str) -> int:
     digits = text.lstrip("+-").lstrip("0") or "0"
-    size = int(digits) if len(digits) <= MOST_DIGITS else HEX_RANGE
+    size = int(digits) if len(digits) <= MOST_DIGITS else MOST + 1
     return max(LEAST, min(MOST, -size if text.startswith("-") else size))
 
 
 def _hex(text: str) -> int:
-    digits = text.lstrip("+-").lower().removeprefix("0x").lstrip("0") or "0"
-    size = min(int(digits, 16), HEX_RANGE - 1) if len(digits) <= MOST_DIGITS else HEX_RANGE - 1
+    size = int(text.lstrip("+-").lower().removeprefix("0x")[-HEX_DIGITS:], 16)
     return -size % HEX_RANGE if text.startswith("-") else size
