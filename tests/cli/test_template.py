@@ -40,16 +40,16 @@ EXPLAINED = """bolt, template 1 of x.tpl
   base  2:11  type        weapon
   base  2:23  move        physics
   base  2:36  size        .1              JKU
-  bolt  3:29  thingflags  0x4
-  bolt  3:21  light       1
+  bolt  3:28  thingflags  0x4
+  bolt  3:20  light       1
   base  2:36  movesize    .1              JKU; by size=.1
   bolt  3:11  damage      9               was 5 from base
-  bolt  3:53  explode     boom (nothing)
+  bolt  3:52  explode     boom (nothing)
 
   nothing comes of:
-  bolt  3:44  health=3      it is for type actor or player, but this is type weapon, move physics
-  bolt  3:53  explode=boom  no template of that name stands above
-  bolt  3:66  fov=1         it is for type actor or player, but this is type weapon, move physics
+  bolt  3:43  health=3      it is for type actor or player, but this is type weapon, move physics
+  bolt  3:52  explode=boom  no template of that name stands above
+  bolt  3:65  fov=1         it is for type actor or player, but this is type weapon, move physics
 """
 
 
