@@ -45,11 +45,11 @@ int first_equal(Float8 x, float value) {
     return lane;
 }
 
-// A segment seen from the centre of a room, and the bound of the room's planes at its ends.
+// A segment seen from the centre of a room.
 struct Sightline {
     float a[3], b[3];
-    float reach;  // sum of the greatest coordinates of both ends
-    float bound_b, bound;
+    float reach_b, farthest;  // the greatest coordinate of b, and of both
+    float reach;              // the sum of both ends'
 
     Sightline(const Room& room, const Segment& segment) {
         for (int k = 0; k < 3; ++k) {
@@ -57,15 +57,30 @@ struct Sightline {
             b[k] = static_cast<float>(segment.b[k] - room.center[k]);
         }
         const float reach_a = std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
-        const float reach_b = std::max({std::abs(b[0]), std::abs(b[1]), std::abs(b[2])});
+        reach_b = std::max({std::abs(b[0]), std::abs(b[1]), std::abs(b[2])});
+        farthest = std::max(reach_a, reach_b);
         reach = reach_a + reach_b;
-        bound_b = room.still + room.tilt * reach_b;
-        bound = std::max(bound_b, room.still + room.tilt * reach_a);
     }
 
     bool too_far() const { return !(reach < kTooFar); }
     Float8 at_a(const PlaneBlock& p) const { return p.x * a[0] + p.y * a[1] + p.z * a[2] + p.d; }
     Float8 at_b(const PlaneBlock& p) const { return p.x * b[0] + p.y * b[1] + p.z * b[2] + p.d; }
+    Float8 bound_b(const PlaneBlock& p) const { return p.still + p.tilt * reach_b; }
+    Float8 bound(const PlaneBlock& p) const { return p.still + p.tilt * farthest; }
+};
+
+// One side and a segment: its plane at both ends, and the greatest bound there.
+struct Slab {
+    float at_a, at_b, bound_b, bound;
+
+    Slab(const Rooms& rooms, Index side, const Sightline& line) {
+        const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(side / kSides)];
+        const int lane = side % kSides;
+        at_a = p.x[lane] * line.a[0] + p.y[lane] * line.a[1] + p.z[lane] * line.a[2] + p.d[lane];
+        at_b = p.x[lane] * line.b[0] + p.y[lane] * line.b[1] + p.z[lane] * line.b[2] + p.d[lane];
+        bound_b = p.still[lane] + p.tilt[lane] * line.reach_b;
+        bound = p.still[lane] + p.tilt[lane] * line.farthest;
+    }
 };
 
 // Sides that the segment was found to miss, though it passes their planes.
@@ -94,13 +109,13 @@ Leaving leaving(const Rooms& rooms, const Room& room, const Sightline& line, con
     Int8 block{};
     const PlaneBlock* planes = rooms.planes.data() + room.plane;
     for (Index i = 0; i < room.planes; ++i) {
-        const Float8 at_a = line.at_a(planes[i]), at_b = line.at_b(planes[i]);
-        Int8 possible = ~((at_b >= line.bound_b) | (at_a <= -line.bound));
+        const Float8 at_a = line.at_a(planes[i]), at_b = line.at_b(planes[i]), bound = line.bound(planes[i]);
+        Int8 possible = ~((at_b >= line.bound_b(planes[i])) | (at_a <= -bound));
         for (int k = 0; k < missed.count; ++k)
             if (missed.side[k] / kSides == room.plane + i) possible[missed.side[k] % kSides] = 0;
         const Float8 fall = at_a - at_b, depth = fall > least ? fall : least;
-        const Float8 lo = possible ? (at_a - line.bound) / depth : none;
-        const Float8 hi = (at_a + line.bound) / depth;
+        const Float8 lo = possible ? (at_a - bound) / depth : none;
+        const Float8 hi = (at_a + bound) / depth;
         const Int8 better = lo < first;
         second = better ? first : (lo < second ? lo : second);
         latest = better ? hi : latest;
@@ -161,11 +176,10 @@ Passage passage(const Rooms& rooms, const Side& side, const Sightline& line, flo
 bool misses_rivals(const Rooms& rooms, const Room& room, const Sightline& line, const Leaving& left, Missed& missed) {
     for (Index side = kSides * room.plane; side < kSides * (room.plane + room.planes); ++side) {
         if (side == left.side || missed.holds(side)) continue;
-        const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(side / kSides)];
-        const float at_a = line.at_a(p)[side % kSides], at_b = line.at_b(p)[side % kSides];
-        if (at_b >= line.bound_b || at_a <= -line.bound) continue;
-        const float fall = std::max(at_a - at_b, kLeastFall);
-        const float lo = (at_a - line.bound) / fall, hi = (at_a + line.bound) / fall;
+        const Slab slab(rooms, side, line);
+        if (slab.at_b >= slab.bound_b || slab.at_a <= -slab.bound) continue;
+        const float fall = std::max(slab.at_a - slab.at_b, kLeastFall);
+        const float lo = (slab.at_a - slab.bound) / fall, hi = (slab.at_a + slab.bound) / fall;
         if (lo > left.latest + kRounding) continue;
         if (!passage(rooms, rooms.sides[static_cast<std::size_t>(side)], line, lo, hi).outside || !missed.add(side))
             return false;
@@ -175,15 +189,13 @@ bool misses_rivals(const Rooms& rooms, const Room& room, const Sightline& line, 
 
 // Whether the segment stays in front of a needle's slab until after t = `until`, or passes the slab beside the needle.
 bool clear_of(const Rooms& rooms, const Needle& needle, const Sightline& line, float until) {
-    const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(needle.side / kSides)];
-    const int lane = needle.side % kSides;
-    const float at_a = p.x[lane] * line.a[0] + p.y[lane] * line.a[1] + p.z[lane] * line.a[2] + p.d[lane];
-    const float at_b = p.x[lane] * line.b[0] + p.y[lane] * line.b[1] + p.z[lane] * line.b[2] + p.d[lane];
-    const float fall = at_a - at_b;
-    if (at_a > line.bound && (at_b > line.bound || at_a - line.bound > (until + kRounding) * fall)) return true;
-    if (!(std::abs(fall) > 4 * line.bound)) return false;  // along the slab
-    const Spot spot(line, rooms.sides[static_cast<std::size_t>(needle.side)].axis, (at_a - line.bound) / fall,
-                    (at_a + line.bound) / fall);
+    const Slab slab(rooms, needle.side, line);
+    const float fall = slab.at_a - slab.at_b;
+    if (slab.at_a > slab.bound && (slab.at_b > slab.bound || slab.at_a - slab.bound > (until + kRounding) * fall))
+        return true;
+    if (!(std::abs(fall) > 4 * slab.bound)) return false;  // along the slab
+    const Spot spot(line, rooms.sides[static_cast<std::size_t>(needle.side)].axis, (slab.at_a - slab.bound) / fall,
+                    (slab.at_a + slab.bound) / fall);
     return std::abs(needle.a * spot.p + needle.b * spot.q + needle.c) > needle.margin + spot.spread;
 }
 
@@ -241,7 +253,7 @@ void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans
     const auto s = static_cast<std::size_t>(sector);
     const Room& room = rooms.rooms[s];
     const Sightline line(room, segment);
-    if (line.too_far() || !(room.still < kInfinity)) {
+    if (line.too_far()) {
         const auto first = static_cast<std::size_t>(mesh.sector_first[s]);
         const Index begin = fans.start[first], end = fans.start[first + static_cast<std::size_t>(mesh.sector_count[s])];
         triangles.resize(static_cast<std::size_t>(end - begin));
@@ -251,7 +263,7 @@ void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans
     const auto add = [&](Index begin, Index end) { for (; begin < end; ++begin) triangles.push_back(begin); };
     for (Index i = room.plane; i < room.plane + room.planes; ++i) {
         const PlaneBlock& planes = rooms.planes[static_cast<std::size_t>(i)];
-        const Int8 possible = ~((line.at_b(planes) >= line.bound_b) | (line.at_a(planes) <= -line.bound));
+        const Int8 possible = ~((line.at_b(planes) >= line.bound_b(planes)) | (line.at_a(planes) <= -line.bound(planes)));
         for (int lane = 0; lane < kSides; ++lane) {
             const Side& side = rooms.sides[static_cast<std::size_t>(kSides * i + lane)];
             Index last = -1;
