@@ -31,7 +31,7 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 using Answers = std::vector<std::uint8_t>;
 
 constexpr int kRounds = 7;
-constexpr std::size_t kPiece = 4000;  // queries timed at once
+constexpr std::size_t kPiece = 20000;  // queries timed at once
 
 template <typename T>
 std::vector<T> read(std::ifstream& in) {
@@ -42,16 +42,10 @@ std::vector<T> read(std::ifstream& in) {
     return values;
 }
 
-struct Queries {
-    std::span<const double> origins;
-    std::span<const jk::Index> sectors;
-    std::span<const double> targets;
-
-    Queries piece(std::size_t first) const {
-        const std::size_t count = std::min(kPiece, sectors.size() - first);
-        return {origins.subspan(3 * first, 3 * count), sectors.subspan(first, count), targets.subspan(3 * first, 3 * count)};
-    }
-};
+jk::Queries piece_of(const jk::Queries& q, std::size_t first) {
+    const std::size_t count = std::min(kPiece, q.rows() - first);
+    return {q.origins.subspan(3 * first, 3 * count), q.sectors.subspan(first, count), q.targets.subspan(3 * first, 3 * count)};
+}
 
 std::vector<Triangle> walls(const jk::SectorMesh& mesh) {
     const jk::Fans fans(mesh);
@@ -66,8 +60,8 @@ std::vector<Triangle> walls(const jk::SectorMesh& mesh) {
     return out;
 }
 
-Answers by_tree(const Tree& tree, const Queries& q) {
-    Answers out(q.sectors.size());
+Answers by_tree(const Tree& tree, const jk::Queries& q) {
+    Answers out(q.rows());
     for (std::size_t i = 0; i < out.size(); ++i) {
         const double *a = &q.origins[3 * i], *b = &q.targets[3 * i];
         out[i] = !tree.do_intersect(Kernel::Segment_3({a[0], a[1], a[2]}, {b[0], b[1], b[2]}));
@@ -101,8 +95,8 @@ public:
     Embree(const Embree&) = delete;
     Embree& operator=(const Embree&) = delete;
 
-    Answers answer(const Queries& q) const {
-        Answers out(q.sectors.size());
+    Answers answer(const jk::Queries& q) const {
+        Answers out(q.rows());
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         for (std::size_t i = 0; i < out.size(); ++i) {
@@ -128,7 +122,7 @@ private:
 
 struct Runner {
     const char* name;
-    std::function<Answers(const Queries&)> run;
+    std::function<Answers(const jk::Queries&)> run;
     Answers answers{};
     double seconds = 0;
 };
@@ -141,9 +135,9 @@ double seconds() {
 }
 
 // Every contestant answers a piece in turn, so that a busy moment of the machine hits all alike; the best round counts.
-void race(std::vector<Runner>& runners, const Queries& queries) {
-    for (std::size_t first = 0; first < queries.sectors.size(); first += kPiece) {
-        const Queries piece = queries.piece(first);
+void race(std::vector<Runner>& runners, const jk::Queries& queries) {
+    for (std::size_t first = 0; first < queries.rows(); first += kPiece) {
+        const jk::Queries piece = piece_of(queries, first);
         std::vector<double> best(runners.size(), std::numeric_limits<double>::infinity());
         for (int round = 0; round < kRounds; ++round)
             for (std::size_t r = 0; r < runners.size(); ++r) {
@@ -189,13 +183,13 @@ int main(int argc, char** argv) {
         const auto sectors = read<jk::Index>(in);
         const auto targets = read<double>(in);
         const auto ours = [&](jk::Tier tier) {
-            return [&, tier](const Queries& q) { return viewer.sight(q.origins, q.sectors, q.targets, tier, 1).visible; };
+            return [&, tier](const jk::Queries& q) { return viewer.sight(q, tier, 1).visible; };
         };
         std::vector<Runner> runners{{"balanced", ours(jk::Tier::kBalanced)},
                                     {"fast", ours(jk::Tier::kFast)},
-                                    {"tree", [&](const Queries& q) { return by_tree(tree, q); }}};
+                                    {"tree", [&](const jk::Queries& q) { return by_tree(tree, q); }}};
 #ifdef JKTOOLS_EMBREE
-        runners.push_back({"embree", [&](const Queries& q) { return embree.answer(q); }});
+        runners.push_back({"embree", [&](const jk::Queries& q) { return embree.answer(q); }});
 #endif
         race(runners, {origins, sectors, targets});
         print(set, runners);

@@ -134,25 +134,30 @@ Leaving leaving(const Rooms& rooms, const Room& room, const Sightline& line, con
 // A point of the segment between t = lo and hi in two coordinates, and how far it can be off in either direction.
 struct Spot {
     float p, q, spread;
-
-    Spot(const Sightline& line, std::uint16_t axis, float lo, float hi) {
-        const int i = axis == 2 ? 0 : axis + 1, j = axis == 0 ? 2 : axis - 1;
-        const float t = 0.5f * (lo + hi), along_p = line.b[i] - line.a[i], along_q = line.b[j] - line.a[j];
-        p = line.a[i] + t * along_p;
-        q = line.a[j] + t * along_q;
-        // Half the piece between lo and hi, times sqrt 2 for both coordinates, and the rounding of the point.
-        spread = std::max(std::abs(along_p), std::abs(along_q)) * std::abs(hi - lo) + 40 * kUnit * line.reach;
-    }
 };
+
+// The coordinates that a side shows in, the one that it leaves out aside.
+int first_of(std::uint16_t axis) { return axis == 2 ? 0 : axis + 1; }
+int second_of(std::uint16_t axis) { return axis == 0 ? 2 : axis - 1; }
+
+// Rounding of a point of a segment, in parts of its reach.
+constexpr float kOff = 40 * kUnit;
+
+Spot spot_of(const Sightline& line, std::uint16_t axis, float lo, float hi) {
+    const int i = first_of(axis), j = second_of(axis);
+    const float t = 0.5f * (lo + hi), along_p = line.b[i] - line.a[i], along_q = line.b[j] - line.a[j];
+    // Half the piece between lo and hi, times sqrt 2 for both coordinates, and the rounding of the point.
+    return {line.a[i] + t * along_p, line.a[j] + t * along_q,
+            std::max(std::abs(along_p), std::abs(along_q)) * std::abs(hi - lo) + kOff * line.reach};
+}
 
 struct Passage {
     const PolygonBlock* polygon;  // null when none is certain
     bool outside;                 // of all polygons, certainly
 };
 
-// The one polygon of a side through which the segment passes between t = lo and hi.
-Passage passage(const Rooms& rooms, const Side& side, const Sightline& line, float lo, float hi) {
-    const Spot spot(line, side.axis, lo, hi);
+// The one polygon of a side that a spot lies in.
+Passage passage(const Rooms& rooms, const Side& side, const Spot& spot) {
     Passage found{nullptr, true};
     const PolygonBlock* block = rooms.polygons.data() + side.first;
     for (const PolygonBlock* end = block + side.count; block != end; ++block) {
@@ -181,8 +186,8 @@ bool misses_rivals(const Rooms& rooms, const Room& room, const Sightline& line, 
         const float fall = std::max(slab.at_a - slab.at_b, kLeastFall);
         const float lo = (slab.at_a - slab.bound) / fall, hi = (slab.at_a + slab.bound) / fall;
         if (lo > left.latest + kRounding) continue;
-        if (!passage(rooms, rooms.sides[static_cast<std::size_t>(side)], line, lo, hi).outside || !missed.add(side))
-            return false;
+        const Side& rival = rooms.sides[static_cast<std::size_t>(side)];
+        if (!passage(rooms, rival, spot_of(line, rival.axis, lo, hi)).outside || !missed.add(side)) return false;
     }
     return true;
 }
@@ -194,8 +199,8 @@ bool clear_of(const Rooms& rooms, const Needle& needle, const Sightline& line, f
     if (slab.at_a > slab.bound && (slab.at_b > slab.bound || slab.at_a - slab.bound > (until + kRounding) * fall))
         return true;
     if (!(std::abs(fall) > 4 * slab.bound)) return false;  // along the slab
-    const Spot spot(line, rooms.sides[static_cast<std::size_t>(needle.side)].axis, (slab.at_a - slab.bound) / fall,
-                    (slab.at_a + slab.bound) / fall);
+    const Spot spot = spot_of(line, rooms.sides[static_cast<std::size_t>(needle.side)].axis,
+                              (slab.at_a - slab.bound) / fall, (slab.at_a + slab.bound) / fall);
     return std::abs(needle.a * spot.p + needle.b * spot.q + needle.c) > needle.margin + spot.spread;
 }
 
@@ -208,6 +213,75 @@ bool leaves_by_needle(const Rooms& rooms, const Fans& fans, const Room& room, co
     }
     return false;
 }
+
+// Eight segments in one room, each in a lane.
+class Packet {
+public:
+    Packet(const Room& room, const Segment* segments, const float* entered, int count) {
+        for (int i = 0; i < kPacket; ++i) {
+            const Segment& segment = segments[i < count ? i : 0];
+            for (int k = 0; k < 3; ++k) {
+                a_[k][i] = static_cast<float>(segment.a[k] - room.center[k]);
+                b_[k][i] = static_cast<float>(segment.b[k] - room.center[k]);
+            }
+            entered_[i] = entered[i < count ? i : 0];
+        }
+    }
+
+    // Finds for each lane the side that can be left first, as leaving() does, and the spot on it.
+    void leave(const Rooms& rooms, const Room& room) {
+        const Float8 none = Float8{} + kInfinity, least = Float8{} + kLeastFall;
+        const Float8 reach_a = greatest(a_), reach_b = greatest(b_), farthest = reach_a > reach_b ? reach_a : reach_b;
+        Float8 first = none, second = none, latest = none;
+        Int8 side{};
+        const PlaneBlock* block = rooms.planes.data() + room.plane;
+        for (Index i = 0; i < room.sides; ++i) {
+            const PlaneBlock& p = block[i / kSides];
+            const int k = i % kSides;
+            const Float8 at_a = p.x[k] * a_[0] + p.y[k] * a_[1] + p.z[k] * a_[2] + p.d[k];
+            const Float8 at_b = p.x[k] * b_[0] + p.y[k] * b_[1] + p.z[k] * b_[2] + p.d[k];
+            const Float8 bound = p.still[k] + p.tilt[k] * farthest, bound_b = p.still[k] + p.tilt[k] * reach_b;
+            const Int8 possible = ~((at_b >= bound_b) | (at_a <= -bound));
+            const Float8 fall = at_a - at_b, depth = fall > least ? fall : least;
+            const Float8 lo = possible ? (at_a - bound) / depth : none, hi = (at_a + bound) / depth;
+            const Int8 better = lo < first;
+            second = better ? first : (lo < second ? lo : second);
+            latest = better ? hi : latest;
+            side = better ? Int8{} + i : side;
+            first = better ? lo : first;
+        }
+        const Int8 far = ~(reach_a + reach_b < kTooFar);
+        ends_ = (first == kInfinity) & ~far;
+        leaves_ = (second > latest + kRounding) & (first > entered_ + kRounding) & (latest < 1 - kRounding) & ~far;
+        side_ = side + kSides * room.plane;
+        latest_ = latest;
+        const Float8 t = 0.5f * (first + latest), along[3] = {b_[0] - a_[0], b_[1] - a_[1], b_[2] - a_[2]};
+        for (int k = 0; k < 3; ++k) middle_[k] = a_[k] + t * along[k];
+        spread_ = greatest(along) * (latest - first) + kOff * (reach_a + reach_b);
+    }
+
+    Glance seen(const Rooms& rooms, int lane) const {
+        if (ends_[lane]) return {Glance::kEnds};
+        if (!leaves_[lane]) return {Glance::kDoubt};
+        const Side& side = rooms.sides[static_cast<std::size_t>(side_[lane])];
+        const Spot spot{middle_[first_of(side.axis)][lane], middle_[second_of(side.axis)][lane], spread_[lane]};
+        const Passage pass = passage(rooms, side, spot);
+        if (!pass.polygon) return {Glance::kDoubt};
+        return {Glance::kLeaves, pass.polygon->surface, pass.polygon->leads_to, latest_[lane]};
+    }
+
+private:
+    // The greatest coordinate without its sign; a first one that is not a number stays.
+    static Float8 greatest(const Float8 (&v)[3]) {
+        const Float8 x = v[0] < 0 ? -v[0] : v[0], y = v[1] < 0 ? -v[1] : v[1], z = v[2] < 0 ? -v[2] : v[2];
+        const Float8 both = x < y ? y : x;
+        return both < z ? z : both;
+    }
+
+    Float8 a_[3], b_[3], entered_;
+    Int8 ends_, leaves_, side_;
+    Float8 latest_, middle_[3], spread_;
+};
 
 }  // namespace
 
@@ -226,7 +300,8 @@ JK_WIDE Glance glance(const Rooms& rooms, const Fans& fans, Index sector, const 
         const Leaving left = leaving(rooms, room, line, missed);
         if (left.first == kInfinity)
             return {leaves_by_needle(rooms, fans, room, segment, line, 1) ? Glance::kDoubt : Glance::kEnds};
-        const Passage pass = passage(rooms, rooms.sides[static_cast<std::size_t>(left.side)], line, left.first, left.latest);
+        const Side& side = rooms.sides[static_cast<std::size_t>(left.side)];
+        const Passage pass = passage(rooms, side, spot_of(line, side.axis, left.first, left.latest));
         if (pass.outside ? !missed.add(left.side) : !pass.polygon) break;
         if (pass.outside) continue;
         if (!(left.second > left.latest + kRounding)) {
@@ -239,6 +314,20 @@ JK_WIDE Glance glance(const Rooms& rooms, const Fans& fans, Index sector, const 
         return {Glance::kLeaves, pass.polygon->surface, pass.polygon->leads_to, left.latest};
     }
     return {Glance::kDoubt};
+}
+
+JK_WIDE void glance_packet(const Rooms& rooms, const Fans& fans, Index sector, const Segment* segments,
+                           const float* entered, int count, Glance* seen) {
+    const Room& room = rooms.rooms[static_cast<std::size_t>(sector)];
+    Packet packet(room, segments, entered, count);
+    packet.leave(rooms, room);
+    for (int i = 0; i < count; ++i) seen[i] = packet.seen(rooms, i);
+    if (room.needles == 0) return;
+    for (int i = 0; i < count; ++i) {
+        if (seen[i].kind == Glance::kDoubt) continue;
+        const float until = seen[i].kind == Glance::kEnds ? 1 : seen[i].latest;
+        if (leaves_by_needle(rooms, fans, room, segments[i], Sightline(room, segments[i]), until)) seen[i] = {Glance::kDoubt};
+    }
 }
 
 float latest(const Crossing& c) {
