@@ -25,10 +25,12 @@ constexpr float kTooFar = 0x1p60f;
 
 Float4 all(float x) { return Float4{x, x, x, x}; }
 
-bool any(Int4 mask) {
-    long long halves[2];
-    std::memcpy(halves, &mask, sizeof mask);
-    return (halves[0] | halves[1]) != 0;
+template <typename Mask>
+bool any(Mask mask) {
+    long long parts[sizeof mask / sizeof(long long)], all = 0;
+    std::memcpy(parts, &mask, sizeof mask);
+    for (const long long part : parts) all |= part;
+    return all != 0;
 }
 
 float least_of(Float8 x) {
@@ -83,53 +85,45 @@ struct Slab {
     }
 };
 
-// Sides that the segment was found to miss, though it passes their planes.
-struct Missed {
-    static constexpr int kMost = 8;
-    int count = 0;
-    Index side[kMost];
+// The sides that the segment could leave through, each at lo <= t <= hi, handed out by their lo.
+class Order {
+public:
+    static constexpr Index kMostBlocks = 16;
 
-    bool add(Index missed) {
-        if (count == kMost) return false;
-        side[count++] = missed;
-        return true;
+    Order(const Rooms& rooms, const Room& room, const Sightline& line) : blocks_(room.planes), first_(kSides * room.plane) {
+        const Float8 none = Float8{} + kInfinity, least = Float8{} + kLeastFall;
+        const PlaneBlock* planes = rooms.planes.data() + room.plane;
+        for (Index i = 0; i < blocks_; ++i) {
+            const Float8 at_a = line.at_a(planes[i]), at_b = line.at_b(planes[i]), bound = line.bound(planes[i]);
+            const Int8 possible = ~((at_b >= line.bound_b(planes[i])) | (at_a <= -bound));
+            const Float8 fall = at_a - at_b, depth = fall > least ? fall : least;
+            lo_[i] = possible ? (at_a - bound) / depth : none;
+            hi_[i] = (at_a + bound) / depth;
+        }
     }
-    bool holds(Index other) const { return std::find(side, side + count, other) != side + count; }
-};
 
-// The side that the segment can leave first: its lo and hi, and the least lo of all others.
-struct Leaving {
-    float first = kInfinity, second = kInfinity, latest = kInfinity;
-    Index side = 0;
-};
+    struct Next {
+        float lo, hi;
+        Index side;
+    };
 
-Leaving leaving(const Rooms& rooms, const Room& room, const Sightline& line, const Missed& missed) {
-    const Float8 none = Float8{} + kInfinity, least = Float8{} + kLeastFall;
-    Float8 first = none, second = none, latest = none;
-    Int8 block{};
-    const PlaneBlock* planes = rooms.planes.data() + room.plane;
-    for (Index i = 0; i < room.planes; ++i) {
-        const Float8 at_a = line.at_a(planes[i]), at_b = line.at_b(planes[i]), bound = line.bound(planes[i]);
-        Int8 possible = ~((at_b >= line.bound_b(planes[i])) | (at_a <= -bound));
-        for (int k = 0; k < missed.count; ++k)
-            if (missed.side[k] / kSides == room.plane + i) possible[missed.side[k] % kSides] = 0;
-        const Float8 fall = at_a - at_b, depth = fall > least ? fall : least;
-        const Float8 lo = possible ? (at_a - bound) / depth : none;
-        const Float8 hi = (at_a + bound) / depth;
-        const Int8 better = lo < first;
-        second = better ? first : (lo < second ? lo : second);
-        latest = better ? hi : latest;
-        block = better ? Int8{} + i : block;
-        first = better ? lo : first;
+    // The next side; its lo is infinite when there is none.
+    Next next() {
+        Index block = 0;
+        Float8 least = lo_[0];
+        for (Index i = 1; i < blocks_; ++i) least = lo_[i] < least ? lo_[i] : least;
+        const float lo = least_of(least);
+        if (!(lo < kInfinity)) return {kInfinity, kInfinity, -1};
+        while (!any(lo_[block] == lo)) ++block;
+        const int lane = first_equal(lo_[block], lo);
+        lo_[block][lane] = kInfinity;
+        return {lo, hi_[block][lane], first_ + kSides * block + lane};
     }
-    // The least lo of all; then the least of the others, the next of its own lane among them.
-    const float least_lo = least_of(first);
-    if (least_lo == kInfinity) return {};
-    const int lane = first_equal(first, least_lo);
-    const Int8 lanes{0, 1, 2, 3, 4, 5, 6, 7};
-    const Float8 others = lanes == lane ? second : first;
-    return {least_lo, least_of(others), latest[lane], kSides * (room.plane + block[lane]) + lane};
-}
+
+private:
+    Index blocks_, first_;
+    Float8 lo_[kMostBlocks], hi_[kMostBlocks];
+};
 
 // A point of the segment between t = lo and hi in two coordinates, and how far it can be off in either direction.
 struct Spot {
@@ -175,21 +169,6 @@ Passage passage(const Rooms& rooms, const Side& side, const Spot& spot) {
         found = {block, false};
     }
     return found;
-}
-
-// Whether the segment certainly misses every side, but the one given, that it could leave no later; adds them.
-bool misses_rivals(const Rooms& rooms, const Room& room, const Sightline& line, const Leaving& left, Missed& missed) {
-    for (Index side = kSides * room.plane; side < kSides * (room.plane + room.planes); ++side) {
-        if (side == left.side || missed.holds(side)) continue;
-        const Slab slab(rooms, side, line);
-        if (slab.at_b >= slab.bound_b || slab.at_a <= -slab.bound) continue;
-        const float fall = std::max(slab.at_a - slab.at_b, kLeastFall);
-        const float lo = (slab.at_a - slab.bound) / fall, hi = (slab.at_a + slab.bound) / fall;
-        if (lo > left.latest + kRounding) continue;
-        const Side& rival = rooms.sides[static_cast<std::size_t>(side)];
-        if (!passage(rooms, rival, spot_of(line, rival.axis, lo, hi)).outside || !missed.add(side)) return false;
-    }
-    return true;
 }
 
 // Whether the segment stays in front of a needle's slab until after t = `until`, or passes the slab beside the needle.
@@ -295,25 +274,21 @@ private:
 JK_WIDE Glance glance(const Rooms& rooms, const Fans& fans, Index sector, const Segment& segment, float entered) {
     const Room& room = rooms.rooms[static_cast<std::size_t>(sector)];
     const Sightline line(room, segment);
-    if (line.too_far()) return {Glance::kDoubt};
-    for (Missed missed;;) {
-        const Leaving left = leaving(rooms, room, line, missed);
-        if (left.first == kInfinity)
-            return {leaves_by_needle(rooms, fans, room, segment, line, 1) ? Glance::kDoubt : Glance::kEnds};
-        const Side& side = rooms.sides[static_cast<std::size_t>(left.side)];
-        const Passage pass = passage(rooms, side, spot_of(line, side.axis, left.first, left.latest));
-        if (pass.outside ? !missed.add(left.side) : !pass.polygon) break;
+    if (line.too_far() || room.planes > Order::kMostBlocks) return {Glance::kDoubt};
+    Glance found{Glance::kEnds, -1, kBlocks, 1};
+    for (Order order(rooms, room, line);;) {
+        const Order::Next next = order.next();
+        if (next.lo == kInfinity || (found.kind == Glance::kLeaves && next.lo > found.latest + kRounding)) break;
+        const Side& side = rooms.sides[static_cast<std::size_t>(next.side)];
+        const Passage pass = passage(rooms, side, spot_of(line, side.axis, next.lo, next.hi));
         if (pass.outside) continue;
-        if (!(left.second > left.latest + kRounding)) {
-            const int before = missed.count;
-            if (!misses_rivals(rooms, room, line, left, missed) || missed.count == before) break;
-            continue;
-        }
-        if (!(left.first > entered + kRounding && left.latest < 1 - kRounding)) break;
-        if (leaves_by_needle(rooms, fans, room, segment, line, left.latest)) break;
-        return {Glance::kLeaves, pass.polygon->surface, pass.polygon->leads_to, left.latest};
+        // Uncertain, through two sides at once, before the entry or at the end.
+        if (!pass.polygon || found.kind == Glance::kLeaves || !(next.lo > entered + kRounding) || !(next.hi < 1 - kRounding))
+            return {Glance::kDoubt};
+        found = {Glance::kLeaves, pass.polygon->surface, pass.polygon->leads_to, next.hi};
     }
-    return {Glance::kDoubt};
+    if (room.needles > 0 && leaves_by_needle(rooms, fans, room, segment, line, found.latest)) return {Glance::kDoubt};
+    return found;
 }
 
 JK_WIDE void glance_packet(const Rooms& rooms, const Fans& fans, Index sector, const Segment* segments,
