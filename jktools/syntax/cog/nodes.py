@@ -195,10 +195,12 @@ class Code(Node, frozen=True, eq=False):
 
 
 class Attribute(Node, frozen=True, eq=False):
-    """A word behind a symbol, `key=value`, or a word alone, whose key and value are the same text."""
+    """A word of the header, `key=value`, or a word alone, whose key and value are the same text."""
 
     key: str
     value: str
+    has_value: bool
+    """Whether there is a `=`."""
 
 
 class Symbol(Node, frozen=True, eq=False):
@@ -219,8 +221,8 @@ class Symbol(Node, frozen=True, eq=False):
 
     @property
     def default(self) -> str | None:
-        """The default value as written, None without one."""
-        return self.name.value if self.name.value is not self.name.key else None
+        """The default value in lower case, None without one. For a message, the message that the label is bound to."""
+        return self.name.value if self.name.has_value else None
 
 
 class Header(Node, frozen=True, eq=False):
