@@ -11,6 +11,7 @@ from jktools.compiler import CompileError, compile_level
 from jktools.diagnostics import Diagnostic, Label
 from jktools.linter import Selection, lint, select
 from jktools.linter.rule import FILE_FAILED
+from jktools.model.resources import Library
 from jktools.session.ignores import unused_ignores, with_settings
 from jktools.session.levels import discover, read_level
 from jktools.session.settings import Settings
@@ -57,10 +58,11 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     """Lint every level that the paths name.
 
     A path that cannot be read is told in `Batch.problems`, and the rest is linted all the same. Raises
-    UnknownRuleError when the settings name a rule that does not exist.
+    UnknownRuleError when the settings name a rule that does not exist, InputError when a base cannot be opened.
     """
     settings = settings or Settings()
     rules = select(Selection(settings.select, settings.ignore))
+    library = Library(settings.base)
     batch = Batch()
     members = _members(paths, batch.problems)
     used: set[int] = set()
@@ -68,7 +70,7 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     for done, member in enumerate(members):
         progress(done, len(members), member.path)
         try:
-            level = read_level(member, settings)
+            level = read_level(member, settings, library)
         except InputError as error:
             batch.problems.append(str(error))
             continue
@@ -133,16 +135,17 @@ def build_all(paths: Sequence[str], out: Path, settings: Settings | None = None,
     """Compile every level that the paths name into files below `out`, or into `out` itself when it names a .jklb.
 
     What cannot be read, compiled or written is told, and the rest is built. Raises InputError when `out` cannot hold
-    the levels.
+    the levels or a base cannot be opened.
     """
     settings = settings or Settings()
     built = Built()
+    library = Library(settings.base)
     members = _members(paths, built.problems)
     targets = _targets(members, out)
     for done, (member, target) in enumerate(zip(members, targets, strict=True)):
         progress(done, len(members), member.path)
         try:
-            _build(member, target, settings, built)
+            _build(member, target, settings, library, built)
         except InputError as error:
             built.problems.append(str(error))
         except CompileError as error:
@@ -152,8 +155,8 @@ def build_all(paths: Sequence[str], out: Path, settings: Settings | None = None,
     return built
 
 
-def _build(member: Member, target: Path, settings: Settings, built: Built) -> None:
-    level = read_level(member, settings)
+def _build(member: Member, target: Path, settings: Settings, library: Library, built: Built) -> None:
+    level = read_level(member, settings, library)
     if level.document.sections and not level.has_geometry:
         built.skipped.append(f"{member.path}: skipped, it has no GEORESOURCE (resources and templates only)")
         return
