@@ -9,6 +9,7 @@ from jktools import __version__
 from jktools.emit.json import VERSION, dump
 from jktools.model import Level, Template, Thing
 from jktools.model.templates import Ignored, Origin, Reason, Resolved, Setting
+from jktools.model.wanted import wanted_value
 from jktools.syntax.template.parameters import PARAMETERS
 from jktools.syntax.template.values import ValueKind
 
@@ -115,23 +116,11 @@ def why(ignored: Ignored) -> str:
         case Reason.NOT_FOR_THIS:
             return f"it is for {_joined([use.scope.value for use in uses])}, but this is {_kind(ignored)}"
         case Reason.REJECTED:
-            return f"the engine takes {_wanted(ignored)}"
+            return f"the engine takes {wanted_value(ignored)}"
         case Reason.FULL:
             return "4 debris are there already" if ignored.key == "debris" else "numframes makes no more room"
         case _:
             return str(ignored.reason.value)
-
-
-def _wanted(ignored: Ignored) -> str:
-    if ignored.key == "move":
-        return PARAMETERS["move"].uses[0].note
-    uses = [use for use in PARAMETERS[ignored.key].uses if use.kind is not ValueKind.WORD]
-    if ignored.key == "numframes":
-        return "it once, and 1 or more"
-    bounded = next((use for use in uses if use.least is not None), None)
-    if bounded is not None and bounded.kind in (ValueKind.FLOAT, ValueKind.INT):
-        return f"{bounded.least:g} to {bounded.most:g}" if bounded.most is not None else f"{bounded.least:g} or more"
-    return _joined([use.kind.form for use in uses])
 
 
 def _kind(ignored: Ignored) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from jktools import geometry
+from jktools.facts.movers import Mover, movers
 from jktools.geometry import (
     Alignment,
     Convexity,
@@ -17,6 +18,7 @@ from jktools.geometry import (
     SectorMesh,
     Turns,
 )
+from jktools.geometry.collision import Collision
 from jktools.geometry.validity import Int32
 from jktools.model import Level
 
@@ -47,6 +49,16 @@ class LevelFacts:
     def mesh(self) -> SectorMesh:
         """The sectors, ready for questions of place and sight."""
         return SectorMesh.from_level(self.level)
+
+    @cached_property
+    def collision(self) -> Collision:
+        """The sectors as bodies meet them."""
+        return Collision(self.level)
+
+    @cached_property
+    def movers(self) -> list[Mover]:
+        """The placed things with frames of their own."""
+        return movers(self.level)
 
     @cached_property
     def overlaps(self) -> Overlaps:

@@ -43,8 +43,8 @@ EXPLAINED = """bolt, template 1 of x.tpl
   bolt  3:28  thingflags  0x4
   bolt  3:20  light       1
   base  2:36  movesize    .1              JKU; by size=.1
-  bolt  3:11  damage      9               was 5 from base
   bolt  3:52  explode     boom (nothing)
+  bolt  3:11  damage      9               was 5 from base
 
   nothing comes of:
   bolt  3:43  health=3      it is for type actor or player, but this is type weapon, move physics

@@ -10,7 +10,7 @@ from jktools.syntax.cog import Script
 from tests.support.levels import level_of, two_rooms
 from tests.support.scripts import script_of, whole
 
-WITHOUT_EXAMPLES = {"JK009", "JK010", "JK061", "JK062", "JK065", "JK802", "JK803", "JK804", "JK901", "JK902"}
+WITHOUT_EXAMPLES = {"JK120", "JK009", "JK010", "JK061", "JK062", "JK065", "JK802", "JK803", "JK804", "JK901", "JK902"}
 """Hundreds of faults, levels of nesting or records, a cut-off pack and a bug: tests of their own elsewhere."""
 
 BAD = [(r, e) for r in rules() for e in r.bad]
