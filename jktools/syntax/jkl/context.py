@@ -14,8 +14,8 @@ from jktools.source import Source, Span
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.document import Heading
 from jktools.syntax.jkl.records import Record
-from jktools.syntax.jkl.rows import Rows, ints
 from jktools.syntax.lines import BLANK, END, SECTION, LogicalLines
+from jktools.syntax.rows import Rows, ints
 
 MOST_FAULTS = 1000
 """Faults told of one file; a file of garbage must not yield a report longer than itself."""
