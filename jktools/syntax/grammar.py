@@ -12,6 +12,7 @@ from functools import cache
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from pathlib import Path
+from typing import Literal
 
 import lark
 
@@ -22,9 +23,12 @@ CACHE_FOLDER_VARIABLE = "JKTOOLS_CACHE"
 _SHARED = "words"
 """The grammar that others import their terminals from."""
 
+Lexer = Literal["contextual", "basic"]
+"""Whether the scanner knows what the parser expects; that of COG code must not: `while` is no name anywhere."""
+
 
 @cache
-def load(name: str, start: tuple[str, ...]) -> lark.Lark:
+def load(name: str, start: tuple[str, ...], lexer: Lexer = "contextual") -> lark.Lark:
     """The parser of `grammars/<name>.lark` with these start rules.
 
     Building tables takes some 50 ms, reading them back 10. Lark unpickles what it finds, so the cache is trusted
@@ -33,21 +37,21 @@ def load(name: str, start: tuple[str, ...]) -> lark.Lark:
     text = _text(name)
     folder = _cache_folder()
     if folder is None:
-        return _build(text, start)
-    parts = (text, _text(_SHARED), start, lark.__version__, sys.version_info[:2])
+        return _build(text, start, lexer)
+    parts = (text, _text(_SHARED), start, lexer, lark.__version__, sys.version_info[:2])
     key = hashlib.sha256(repr(parts).encode()).hexdigest()
     kept = folder / f"{name}-{key[:20]}.lark"
     if kept.exists():
-        return _build(text, start, kept)
+        return _build(text, start, lexer, kept)
     # Lark writes its cache in place: let it write beside the target, then rename.
     handle, fresh = tempfile.mkstemp(dir=folder, prefix=f"{name}-")
     os.close(handle)
     Path(fresh).unlink()
     try:
-        parser = _build(text, start, Path(fresh))
+        parser = _build(text, start, lexer, Path(fresh))
         Path(fresh).replace(kept)
     except OSError:
-        return _build(text, start)
+        return _build(text, start, lexer)
     finally:
         with contextlib.suppress(FileNotFoundError):
             Path(fresh).unlink()
@@ -62,10 +66,11 @@ def _text(name: str) -> str:
     return _file(name).read_text("utf-8")
 
 
-def _build(text: str, start: tuple[str, ...], kept: Path | None = None) -> lark.Lark:
+def _build(text: str, start: tuple[str, ...], lexer: Lexer, kept: Path | None = None) -> lark.Lark:
     return lark.Lark(
         text,
         parser="lalr",
+        lexer=lexer,
         start=list(start),
         cache=False if kept is None else str(kept),
         maybe_placeholders=False,
