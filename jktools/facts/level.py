@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import cached_property
 
 from jktools import geometry
-from jktools.facts.templates import template_types, thing_types
 from jktools.geometry import (
     Alignment,
     Convexity,
@@ -83,13 +82,3 @@ class LevelFacts:
     def sector_vertices(self) -> list[tuple[frozenset[int], frozenset[int]]]:
         """For each sector, the vertices that it lists and those that its surfaces use; empty where it is not sound."""
         return geometry.sector_vertices(self.level)
-
-    @cached_property
-    def template_types(self) -> tuple[str | None, ...]:
-        """Each template's type, up its parents as written; None where that leaves the level."""
-        return template_types(self.level)
-
-    @cached_property
-    def thing_types(self) -> tuple[str | None, ...]:
-        """Each thing's type, its template's unless it has its own; None where the template is unknown."""
-        return thing_types(self.level, self.template_types)

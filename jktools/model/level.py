@@ -9,6 +9,7 @@ import numpy as np
 from jktools.diagnostics import Diagnostic
 from jktools.model.objects import Cog, Template, Thing
 from jktools.model.resources import Resources
+from jktools.model.templates import Resolved, TemplateSet
 from jktools.model.views import Adjoin, Records, Sector, Surface
 from jktools.source import Source, Span
 from jktools.syntax.jkl import Document, Header
@@ -178,6 +179,17 @@ class Level:
         for i, name in enumerate(self.document.templates.names):
             index.setdefault(name.lower(), i)
         return index
+
+    @cached_property
+    def resolved_templates(self) -> TemplateSet:
+        """The templates with all that they inherit, as the engine holds them."""
+        heading = self.document.templates.heading
+        return TemplateSet(self.templates, None if heading is None else heading.count, game=self.game)
+
+    @cached_property
+    def resolved_things(self) -> tuple[Resolved, ...]:
+        """The things with all that their templates give them."""
+        return tuple(self.resolved_templates.thing(thing) for thing in self.things)
 
     # ---- geometry that can be computed with
 

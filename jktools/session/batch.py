@@ -14,7 +14,7 @@ from jktools.linter.rule import FILE_FAILED
 from jktools.model import Level
 from jktools.model.resources import Library
 from jktools.session.ignores import unused_ignores, with_settings
-from jktools.session.levels import LEVEL_EXTENSION, SCRIPT_EXTENSION, discover, read_level
+from jktools.session.levels import LEVELS, SCRIPT_EXTENSION, discover, read_level
 from jktools.session.scripts import bound_scripts, read_member_script
 from jktools.session.settings import Settings
 from jktools.session.write import write_atomically
@@ -67,7 +67,7 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     rules = select(Selection(settings.select, settings.ignore))
     library = Library(settings.base)
     batch = Batch()
-    members = _members(paths, batch.problems, (LEVEL_EXTENSION, SCRIPT_EXTENSION))
+    members = _members(paths, batch.problems, (*LEVELS, SCRIPT_EXTENSION))
     known = {_identity(member) for member in members}
     used: set[int] = set()
     seen: list[str] = []
@@ -112,9 +112,7 @@ def _failed(member: Member, error: Exception) -> Diagnostic:
     )  # fmt: skip
 
 
-def _members(
-    paths: Sequence[str], problems: list[str], extensions: Collection[str] = (LEVEL_EXTENSION,)
-) -> list[Member]:
+def _members(paths: Sequence[str], problems: list[str], extensions: Collection[str] = LEVELS) -> list[Member]:
     """The levels, or what else has one of the extensions, of all paths, each once."""
     members: dict[str, Member] = {}
     for path in paths:

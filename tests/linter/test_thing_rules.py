@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from jktools.facts import LevelFacts
 from tests.support.levels import level_of, two_rooms
 from tests.support.lint import findings, marked, messages
 
@@ -51,9 +50,10 @@ def test_types_come_from_the_nearest_parent() -> None:
         "World templates 8", "a crate size=1", "b a type=Weapon", "c b size=2", "d nowhere size=1", "e none size=1",
         "World things 4", "1: c c .5 1.5 .5 0 0 0 1", "2: c c .5 1.5 .5 0 0 0 1 type=item", "3: x x 1 1 1 0 0 0 1",
     ))  # fmt: skip
-    facts = LevelFacts(level)
-    assert facts.template_types == ("player", "ghost", "cog", "cog", "weapon", "weapon", None, "")
-    assert facts.thing_types == ("player", "weapon", "item", None)
+    types = [held.type if held.knows_type else None for held in level.resolved_templates.entries]
+    assert types == ["player", "ghost", "cog", "cog", "weapon", "weapon", None, "free"]
+    types = [held.type if held.knows_type else None for held in level.resolved_things]
+    assert types == ["player", "weapon", "item", None]
 
 
 @pytest.mark.parametrize(("line", "told"), [

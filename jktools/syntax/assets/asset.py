@@ -8,6 +8,8 @@ from typing import TypeVar
 from jktools.diagnostics import Diagnostic, Severity
 from jktools.source import Source, Span
 
+BINARY_EXTENSIONS = frozenset({"cmp", "mat", "wav"})
+
 
 @dataclass(frozen=True, slots=True)
 class Reference:
@@ -33,6 +35,11 @@ class Asset:
     def path(self) -> str:
         """Where it was read from."""
         return self.source.path
+
+    @property
+    def is_binary(self) -> bool:
+        """Whether it has no lines, and so no comments."""
+        return self.source.name.rpartition(".")[2].lower() in BINARY_EXTENSIONS
 
     @property
     def rejected(self) -> bool:

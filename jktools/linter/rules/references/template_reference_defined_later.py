@@ -8,9 +8,7 @@ from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
-
-TEMPLATE_PARAMETERS = frozenset({"creatething", "explode", "weapon", "weapon2", "debris", "trailthing", "fleshhit"})
-"""Parameters whose value is the name of a template (sithThing_LoadThingParam and its kin)."""
+from jktools.syntax.template.parameters import TEMPLATE_KEYS
 
 
 @rule("JK106", "template-reference-defined-later", severity=Severity.WARNING, since="0.1.0")
@@ -34,7 +32,7 @@ def template_reference_defined_later(level: Level, facts: LevelFacts) -> Iterato
     for template in level.templates:
         for key, value in template.parameters:
             at = level.template_by_name.get(value.lower(), -1)
-            if key.lower() not in TEMPLATE_PARAMETERS or at < template.index:
+            if key.lower() not in TEMPLATE_KEYS or at < template.index:
                 continue
             yield Finding(
                 Label(template.span),
