@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -21,11 +22,16 @@ from jktools.session.settings import Game
     "-o", "--output", "out", type=click.Path(path_type=Path), required=True, metavar="OUT",
     help="A folder, or a .jklb file when there is one level.",
 )  # fmt: skip
+@click.option(
+    "--cut-anyway", is_flag=True,
+    help="Leave out templates that nothing is known to reach, though not all COGs are at hand to tell.",
+)  # fmt: skip
 @click.option("-q", "--quiet", is_flag=True, help="Do not list what was written.")
 @common
 def command(
     paths: tuple[str, ...],
     out: Path,
+    cut_anyway: bool,
     quiet: bool,
     game: Game | None,
     base: tuple[str, ...],
@@ -33,6 +39,9 @@ def command(
     strict_grammar: bool,
 ) -> int:
     """Compile every level found to OUT/<name>.jklb.
+
+    A level keeps the templates that it can reach. While a COG that it uses cannot be read, which often lies in the
+    game's own files (--base), all of them stay; `jktools inspect` tells.
 
     Levels of the same name from several packs go to OUT/<pack>/<name>.jklb. A JKL without GEORESOURCE, as
     static.jkl, is skipped with a note.
@@ -42,7 +51,7 @@ def command(
     """
     # A level's name in OUT depends on all levels, so one configuration serves them all: that of the first path.
     _, found = next(configured(paths, config))
-    settings = overridden(found.settings, game, base, strict_grammar)
+    settings = replace(overridden(found.settings, game, base, strict_grammar), cut_anyway=cut_anyway)
     with progress("compiling") as report:
         built = build_all(paths, out, settings, report)
     if not quiet:

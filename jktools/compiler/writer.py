@@ -14,10 +14,12 @@ from jktools import __version__
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import seal
 from jktools.compiler.columns import SECTIONS
+from jktools.compiler.cut import Cut, Omission, cut_templates
 from jktools.compiler.errors import CompiledFileError, CompileError
 from jktools.compiler.reader import FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
 from jktools.compiler.sections import Columns, Strings, cogs, geometry, resources, templates, things
 from jktools.diagnostics import Severity
+from jktools.facts import LevelFacts
 from jktools.model import Level
 
 ALIGNMENT = 8
@@ -33,6 +35,8 @@ class CompileSettings:
 
     engine: str = "research"
     accuracy: str = "balanced"
+    cut_anyway: bool = False
+    """Leave out templates that nothing is known to reach, though not all COGs are at hand to tell."""
 
 
 def compile_level(level: Level, settings: CompileSettings | None = None) -> bytes:
@@ -40,14 +44,15 @@ def compile_level(level: Level, settings: CompileSettings | None = None) -> byte
     settings = settings or CompileSettings()
     _refuse_broken(level)
     strings = Strings()
+    cut = cut_templates(level, LevelFacts(level), cut_anyway=settings.cut_anyway)
     sections: dict[str, Columns | None] = {
         "resources": resources(level, strings),
         "geometry": geometry(level, strings),
-        "templates": templates(level, strings),
+        "templates": templates(level, cut.kept, strings),
         "things": things(level, strings),
         "cogs": cogs(level, strings),
     }
-    data = _assemble(level, settings, strings, sections)
+    data = _assemble(level, settings, strings, sections, cut)
     try:
         CompiledLevel(data, level.path)
     except CompiledFileError as error:
@@ -72,7 +77,7 @@ def _refuse_broken(level: Level) -> None:
 
 
 def _assemble(
-    level: Level, settings: CompileSettings, strings: Strings, sections: Mapping[str, Columns | None]
+    level: Level, settings: CompileSettings, strings: Strings, sections: Mapping[str, Columns | None], cut: Cut
 ) -> bytes:
     builder = flatbuffers.Builder(FIRST_GUESS)
     offsets: dict[str, int] = {}
@@ -81,7 +86,10 @@ def _assemble(
             offsets[name] = _section(builder, name, columns)
     offsets["world"] = _world(builder, level)
     offsets["strings"] = _strings(builder, strings.texts)
-    offsets["passes"] = _passes(builder, sections)
+    notes = {"templates": cut.note} if len(level.templates) else {}
+    offsets["passes"] = _passes(builder, sections, notes)
+    if cut.omissions:
+        offsets["omissions"] = _omissions(builder, cut.omissions)
     offsets["settings"] = _table(
         builder, "Settings",
         game=builder.CreateString(level.game), engine=builder.CreateString(settings.engine),
@@ -143,12 +151,27 @@ WHY_NOT = {
 """Why a section is absent."""
 
 
-def _passes(builder: flatbuffers.Builder, sections: Mapping[str, Columns | None]) -> int:
+def _omissions(builder: flatbuffers.Builder, omissions: Sequence[Omission]) -> int:
+    return _offsets(
+        builder,
+        [
+            _table(
+                builder, "Omission", section=builder.CreateString(each.section),
+                reason=builder.CreateString(each.reason), source=_vector(builder, np.array(each.source, "<i4")),
+                name=_strings(builder, each.names),
+            )
+            for each in omissions
+        ],
+    )  # fmt: skip
+
+
+def _passes(builder: flatbuffers.Builder, sections: Mapping[str, Columns | None], notes: Mapping[str, str]) -> int:
     passes = []
     for name, columns in sections.items():
         fields: dict[str, int] = {"name": builder.CreateString(name), "ran": columns is not None}
-        if columns is None:
-            fields["note"] = builder.CreateString(WHY_NOT[name])
+        note = notes.get(name) or (WHY_NOT[name] if columns is None else None)
+        if note is not None:
+            fields["note"] = builder.CreateString(note)
         passes.append(_table(builder, "Pass", **fields))
     return _offsets(builder, passes)
 

@@ -6,6 +6,7 @@ from functools import cached_property
 
 from jktools import geometry
 from jktools.facts.movers import Mover, movers
+from jktools.facts.reachability import Reach, reach
 from jktools.geometry import (
     Alignment,
     Convexity,
@@ -54,6 +55,11 @@ class LevelFacts:
     def collision(self) -> Collision:
         """The sectors as bodies meet them."""
         return Collision(self.level)
+
+    @cached_property
+    def reach(self) -> Reach:
+        """The templates and files that the level can reach in play."""
+        return reach(self.level)
 
     @cached_property
     def movers(self) -> list[Mover]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from jktools.compiler import CompileError, compile_level
+from jktools.compiler import CompileError, CompileSettings, compile_level
 from jktools.diagnostics import Diagnostic, Label
 from jktools.linter import Selection, lint, select
 from jktools.linter.rule import FILE_FAILED
@@ -178,7 +178,7 @@ def _build(member: Member, target: Path, settings: Settings, library: Library, b
     fault = fault_of(target.name)
     if fault:
         raise InputError(f"cannot write {target}: {fault}")
-    data = compile_level(level)
+    data = compile_level(level, CompileSettings(cut_anyway=settings.cut_anyway))
     write_atomically(target, data)
     built.written.append((member.path, target, len(data)))
 
