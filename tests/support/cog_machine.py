@@ -23,6 +23,9 @@ FRAMES = 4
 MOST_STEPS = 4000
 """Instructions in one go before a run counts as hung."""
 
+MOST_NESTED = 30
+"""Handlers inside verbs inside handlers before a run counts as hung."""
+
 IDLE, RUNNING, SLEEPING, WAITING, INTERRUPTED = range(5)
 
 
@@ -275,8 +278,6 @@ class Machine:
             op, arg, node = self.code[self.pc]
             self.pc += 1
             getattr(self, f"do_{op}")(arg, node)
-            if self.state == INTERRUPTED and not self.nested:
-                self.state = RUNNING
 
     nested = 0
 
@@ -391,6 +392,8 @@ class Machine:
 
     def interrupt(self, action: Any) -> None:
         """Run handlers in the middle of a verb, and come back."""
+        if self.nested > MOST_NESTED:
+            raise Hung
         before = (self.pc, self.state, self.handler, len(self.frames))
         self.nested += 1
         action()

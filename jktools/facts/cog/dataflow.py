@@ -165,7 +165,10 @@ def _run(
                 if arg.delivers:
                     for slot in lost:
                         state.pop(slot, None)
+                    stack = [ANY] * len(stack)  # the handlers in between share this stack, and leave things on it
             if arg.returns != "void":
+                if arg.pushes != "once":
+                    stack = [ANY] * len(stack)  # all below may lie one place higher or lower
                 stack.append(ranges.of_result(arg))
         elif op is Op.BINARY:
             right = stack.pop() if stack else ANY

@@ -83,7 +83,10 @@ class Source:
     @property
     def off(self) -> bool:
         """Whether the call can only switch the pulse or timer off."""
-        return self.seconds is not None and ranges.as_flex(self.seconds)[1] <= 0
+        if self.seconds is None:
+            return False
+        most = ranges.as_flex(self.seconds)[1]
+        return most < 0 if self.kind == "each timer" else most <= 0
 
 
 class Rates:

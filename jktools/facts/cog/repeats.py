@@ -222,8 +222,13 @@ class Counter:
         slot = self.program.slot_of.get(variable.name)
         if slot is None or (own.kinds | limit.kinds) & ~ranges.NUMBER:
             return math.inf
+        known = self.known
         stores = self.stores.get(slot.index, [])
-        moving = [(index, node) for index, node in stores if index in part]
+        moving = [
+            (index, node)
+            for index, node in stores
+            if index in part and not self._ends(known.stored[node], going, limit)
+        ]
         if len(moving) != 1 or not self._every_turn(moving[0][0], header, part):
             return math.inf
         if len(stores) > 1 and self._others_run(part):
@@ -240,6 +245,10 @@ class Counter:
             return math.inf
         exact = all(float(x).is_integer() for x in (least, start)) and farthest < ranges.EXACT_INT
         return max(0.0, math.floor((end - start) / (least if exact else least * 15 / 16)) + 1)
+
+    def _ends(self, stored: ranges.Range, going: str, limit: ranges.Range) -> bool:
+        """Whether an assignment in a loop ends it, as `i = 100;` where another language has `break`."""
+        return ranges.truth(ranges.binary(going, stored, limit)) is False
 
     def _step(self, store: Assign, name: str) -> tuple[float, float]:
         """The interval that `name = name + step` adds; (0, 0) for another shape."""
