@@ -86,7 +86,8 @@ def _counts(analysis: Analysis, log: Log, which: str) -> list[str]:
             found.append(f"{which}: {label} ran {runs} times, at most {most[label]} are allowed")
     for site in rates.sites:
         bound = sum(
-            rates.repeats_of(label, site).most(log.runs[label], SECONDS) for label in rates.senders_of(site)
+            rates.repeats_of(label, site).most(log.runs[label], SECONDS, log.runs.total())
+            for label in rates.senders_of(site)
         )
         if log.calls[site.call.start] > bound:
             found.append(

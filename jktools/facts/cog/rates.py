@@ -210,9 +210,11 @@ class Rates:
             elif source.site is not None:
                 for sender in source.senders:
                     passes = self.repeats_of(sender, source.site)
+                    if passes.per_interruption:
+                        return math.inf  # every message, this one too, can bring one more
                     if sender != label:
                         total += passes.most(runs[sender], seconds)
-                    elif source.kind == "each timer" and passes.per_run <= 1 and not passes.per_second and chain is None:
+                    elif source.kind == "each timer" and passes.per_run <= 1 and chain is None:
                         chain = max(source.least, 1 / frames)
                     else:
                         return math.inf

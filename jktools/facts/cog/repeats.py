@@ -1,7 +1,8 @@
 """How often a run of a handler passes each block: loops that end after a known count, and loops that sleep.
 
-A block's passes in `t` seconds with `n` runs of the handler are at most `n * per_run + t * per_second`. A loop whose
-end nobody can prove, and which does not sleep in every turn, makes `per_run` infinite.
+A block's passes in `t` seconds with `n` runs of the handler are at most `n * per_run + t * per_second`, and a little
+more when messages arrive while the script sleeps: while one is handled the sleep below goes on. A loop whose end
+nobody can prove, and which does not sleep in every turn, makes `per_run` infinite.
 """
 
 from __future__ import annotations
@@ -28,14 +29,17 @@ class Repeats(NamedTuple):
 
     per_run: float
     per_second: float
+    per_interruption: float = 0.0
+    """More for each message, to any handler of the script, that finds it asleep."""
 
-    def most(self, runs: float, seconds: float) -> float:
-        """The greatest count in so many seconds with so many runs."""
-        return (runs * self.per_run if runs else 0.0) + seconds * self.per_second
+    def most(self, runs: float, seconds: float, interruptions: float = 0.0) -> float:
+        """The greatest count in so many seconds with so many runs and messages."""
+        fixed = runs * self.per_run if runs else 0.0
+        return fixed + seconds * self.per_second + (interruptions * self.per_interruption if interruptions else 0.0)
 
     def times(self, count: float) -> Repeats:
         """For what runs `count` times as often."""
-        return Repeats(self.per_run * count, self.per_second * count)
+        return Repeats(self.per_run * count, self.per_second * count, self.per_interruption * count)
 
 
 NEVER = Repeats(0.0, 0.0)
@@ -109,7 +113,7 @@ class Counter:
         """Passes of each block in one run of the handler that starts here, through calls too."""
         total: dict[int, Repeats] = {}
         level = {start: ONCE}
-        for _ in range(MOST_FRAMES):
+        for _ in range(1 + MOST_FRAMES):
             below: dict[int, Repeats] = {}
             for entry, count in level.items():
                 for index, inner in self.within(entry).items():
@@ -153,7 +157,7 @@ class Counter:
             return header, outer.times(turns + 1)
         pace = self._pace(header, part)
         if pace > 0:
-            return header, Repeats(outer.per_run, outer.per_second + 1 / pace)
+            return header, Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1)
         return header, UNBOUNDED
 
     def _pace(self, header: int, part: frozenset[int]) -> float:
@@ -286,7 +290,7 @@ def least_sleep(seconds: ranges.Range) -> float:
 
 
 def _sum(a: Repeats, b: Repeats) -> Repeats:
-    return Repeats(a.per_run + b.per_run, a.per_second + b.per_second)
+    return Repeats(*(x + y for x, y in zip(a, b, strict=True)))
 
 
 def _nested(outer: Repeats, inner: Repeats) -> Repeats:
@@ -298,4 +302,7 @@ def _nested(outer: Repeats, inner: Repeats) -> Repeats:
         return NEVER
     if math.isinf(outer.per_run) or math.isinf(inner.per_run):
         return UNBOUNDED
-    return Repeats(outer.per_run * inner.per_run, outer.per_second * inner.per_run + inner.per_second)
+    again = outer.times(inner.per_run)
+    return Repeats(
+        again.per_run, again.per_second + inner.per_second, again.per_interruption + inner.per_interruption
+    )
