@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
@@ -11,13 +11,16 @@ from jktools.compiler import CompileError, compile_level
 from jktools.diagnostics import Diagnostic, Label
 from jktools.linter import Selection, lint, select
 from jktools.linter.rule import FILE_FAILED
+from jktools.model import Level
 from jktools.session.ignores import unused_ignores, with_settings
-from jktools.session.levels import discover, read_level
+from jktools.session.levels import LEVEL_EXTENSION, SCRIPT_EXTENSION, discover, read_level
+from jktools.session.scripts import bound_scripts, read_member_script
 from jktools.session.settings import Settings
 from jktools.session.write import write_atomically
 from jktools.source import InputError, Member, Source
 from jktools.source.container import PACK_SEPARATOR
 from jktools.source.filenames import fault_of
+from jktools.syntax.cog import Script
 
 TRACEBACK_VARIABLE = "JKTOOLS_TRACEBACK"
 """Set in the environment, a bug shows its traceback and ends the run."""
@@ -37,7 +40,7 @@ class Batch:
     diagnostics: list[Diagnostic] = field(default_factory=list)
     """In the one order of every output."""
     files: int = 0
-    """Levels read."""
+    """Levels and scripts read."""
     problems: list[str] = field(default_factory=list)
     """Paths that could not be read, one sentence each."""
 
@@ -54,7 +57,7 @@ class Batch:
 
 
 def check(paths: Sequence[str], settings: Settings | None = None, progress: Progress = silent) -> Batch:
-    """Lint every level that the paths name.
+    """Lint every level and script that the paths name, and the scripts that those levels bind, each once.
 
     A path that cannot be read is told in `Batch.problems`, and the rest is linted all the same. Raises
     UnknownRuleError when the settings name a rule that does not exist.
@@ -62,26 +65,38 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     settings = settings or Settings()
     rules = select(Selection(settings.select, settings.ignore))
     batch = Batch()
-    members = _members(paths, batch.problems)
+    members = _members(paths, batch.problems, (LEVEL_EXTENSION, SCRIPT_EXTENSION))
+    known = {_identity(member) for member in members}
     used: set[int] = set()
     seen: list[str] = []
-    for done, member in enumerate(members):
+    for done, member in enumerate(members):  # grows by the scripts that levels bind
         progress(done, len(members), member.path)
         try:
-            level = read_level(member, settings)
+            document = _read(member, settings)
+            bound = (
+                [m for m in bound_scripts(document) if _identity(m) not in known] if isinstance(document, Level) else []
+            )
         except InputError as error:
             batch.problems.append(str(error))
             continue
         except Exception as error:
             batch.diagnostics.append(_failed(member, error))
             continue
+        members += bound
+        known.update(map(_identity, bound))
         batch.files += 1
-        found = lint(level, rules, options=settings.options)
+        found = lint(document, rules, options=settings.options)
         batch.diagnostics += with_settings(found, settings, used)
         seen.append(member.path)
     batch.diagnostics += unused_ignores(settings, used, seen, [r.code.id for r in rules])
     batch.diagnostics.sort(key=lambda d: d.sort_key)
     return batch
+
+
+def _read(member: Member, settings: Settings) -> Level | Script:
+    return (
+        read_member_script(member, settings) if member.extension == SCRIPT_EXTENSION else read_level(member, settings)
+    )
 
 
 def _failed(member: Member, error: Exception) -> Diagnostic:
@@ -95,12 +110,14 @@ def _failed(member: Member, error: Exception) -> Diagnostic:
     )  # fmt: skip
 
 
-def _members(paths: Sequence[str], problems: list[str]) -> list[Member]:
-    """The levels of all paths, each once."""
+def _members(
+    paths: Sequence[str], problems: list[str], extensions: Collection[str] = (LEVEL_EXTENSION,)
+) -> list[Member]:
+    """The levels, or what else has one of the extensions, of all paths, each once."""
     members: dict[str, Member] = {}
     for path in paths:
         try:
-            for member in discover(path, problems):
+            for member in discover(path, problems, extensions):
                 members.setdefault(_identity(member), member)
         except InputError as error:
             problems.append(str(error))

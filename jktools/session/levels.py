@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Literal, get_args
 
 from jktools.compiler import CompileSettings, compile_level
@@ -14,36 +14,43 @@ from jktools.source.container import PACK_SEPARATOR
 from jktools.syntax.jkl import read
 
 LEVEL_EXTENSION = "jkl"
+SCRIPT_EXTENSION = "cog"
+
+_KINDS = {LEVEL_EXTENSION: "a .jkl level", SCRIPT_EXTENSION: "a .cog script"}
 
 Accuracy = Literal["balanced", "exact"]
 ACCURACIES: tuple[Accuracy, ...] = get_args(Accuracy)
 
 
-def discover(typed: str, problems: list[str] | None = None) -> list[Member]:
+def discover(
+    typed: str, problems: list[str] | None = None, extensions: Collection[str] = (LEVEL_EXTENSION,)
+) -> list[Member]:
     """The levels that a path names, in the container's order; packs in folders and in zips are entered.
 
-    A pack inside that cannot be opened is told in `problems`, one sentence, and the rest is read; without `problems`
-    it raises. Raises InputError when the path itself cannot be opened or holds no level.
+    Files of other `extensions` are found the same way. A pack inside that cannot be opened is told in `problems`, one
+    sentence, and the rest is read; without `problems` it raises. Raises InputError when the path itself cannot be
+    opened or holds no such file.
     """
     inside: list[str] = []
-    levels = list(_levels(resolve(typed), inside))
+    levels = list(_files(resolve(typed), extensions, inside))
     if problems is None and inside:
         raise InputError(inside[0])
     if not levels and not inside:
-        raise InputError(f"nothing to read in {typed}: expected a .jkl level, or a folder or pack that holds one")
+        kinds = " or ".join(_KINDS[extension] for extension in extensions)
+        raise InputError(f"nothing to read in {typed}: expected {kinds}, or a folder or pack that holds one")
     if problems is not None:
         problems += inside
     return levels
 
 
-def _levels(target: Target, problems: list[str]) -> Iterator[Member]:
+def _files(target: Target, extensions: Collection[str], problems: list[str]) -> Iterator[Member]:
     for member in target.members if isinstance(target, Container) else [target]:
-        if member.extension == LEVEL_EXTENSION:
+        if member.extension in extensions:
             yield member
         # The game opens no pack inside a GOB; by its path one can be read all the same.
         elif member.extension in PACK_EXTENSIONS and isinstance(target, (Folder, Zip)):
             try:
-                yield from _levels(enter(target, member), problems)
+                yield from _files(enter(target, member), extensions, problems)
             except InputError as error:
                 problems.append(str(error))
 
@@ -70,7 +77,7 @@ def load(path: str, game: Game | None = None) -> Level:
     """
     levels = discover(path)
     if len(levels) > 1:
-        raise InputError(f"{path} holds {len(levels)} levels: name one of {_listed(m.path for m in levels)}")
+        raise InputError(f"{path} holds {len(levels)} levels: name one of {listed(m.path for m in levels)}")
     level = read_level(levels[0], Settings(game))
     if not level.document.sections:
         raise InputError(f"cannot read {levels[0].path}: it has no SECTION: lines, so it is no level")
@@ -94,6 +101,7 @@ def mesh(level: Level) -> SectorMesh:
     return SectorMesh.from_level(level)
 
 
-def _listed(paths: Iterable[str], most: int = 5) -> str:
+def listed(paths: Iterable[str], most: int = 5) -> str:
+    """The first few of some paths, for a message."""
     names: Sequence[str] = list(paths)
     return ", ".join(names[:most]) + (", ..." if len(names) > most else "")

@@ -197,14 +197,16 @@ bool leaves_by_needle(const Rooms& rooms, const Fans& fans, const Room& room, co
 class Packet {
 public:
     Packet(const Room& room, const Segment* segments, const float* entered, int count) {
-        for (int i = 0; i < kPacket; ++i) {
-            const Segment& segment = segments[i < count ? i : 0];
-            for (int k = 0; k < 3; ++k) {
-                a_[k][i] = static_cast<float>(segment.a[k] - room.center[k]);
-                b_[k][i] = static_cast<float>(segment.b[k] - room.center[k]);
-            }
-            entered_[i] = entered[i < count ? i : 0];
+        const auto lane = [&](int i) { return i < count ? i : 0; };
+        const auto gather = [&](const double* Segment::* end, int k) {
+            const auto at = [&](int i) { return static_cast<float>((segments[lane(i)].*end)[k] - room.center[k]); };
+            return Float8{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+        };
+        for (int k = 0; k < 3; ++k) {
+            a_[k] = gather(&Segment::a, k);
+            b_[k] = gather(&Segment::b, k);
         }
+        for (int i = 0; i < kPacket; ++i) entered_[i] = entered[lane(i)];
     }
 
     // Finds for each lane the side that can be left first, as leaving() does, and the spot on it.

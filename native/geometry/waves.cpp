@@ -27,7 +27,10 @@ public:
         while (!under_way_.empty()) {
             sort_by_sector();
             under_way_.clear();
-            for (std::size_t i = 0; i < sorted_.size();) i += advance(i);
+            for (std::size_t i = 0; i < sorted_.size();) {
+                for (std::size_t k = i + kPacket; k < std::min(i + 2 * kPacket, sorted_.size()); ++k) fetch(sorted_[k]);
+                i += advance(i);
+            }
         }
     }
 
@@ -40,6 +43,15 @@ private:
         std::partial_sum(start_.begin(), start_.end(), start_.begin());
         sorted_.resize(under_way_.size());
         for (const Row row : under_way_) sorted_[start_[static_cast<std::size_t>(stands_[row].sector)]++] = row;
+    }
+
+    // Asks for a row's points before they are needed.
+    void fetch(Row row) const {
+        const Segment segment = queries_.segment(first_ + row);
+        __builtin_prefetch(segment.a);
+        __builtin_prefetch(segment.a + 2);
+        __builtin_prefetch(segment.b);
+        __builtin_prefetch(segment.b + 2);
     }
 
     // Moves those at `from` that share a sector, at most a packet of them, one sector on; how many there were.

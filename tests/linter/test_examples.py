@@ -6,10 +6,12 @@ import pytest
 
 from jktools.linter import Rule, lint, rules
 from jktools.linter.rule import Example
+from jktools.syntax.cog import Script
 from tests.support.levels import level_of, two_rooms
+from tests.support.scripts import script_of, whole
 
-WITHOUT_EXAMPLES = {"JK009", "JK010", "JK802", "JK803", "JK804", "JK901", "JK902"}
-"""About a thousand faults, a cut-off pack, hundreds of records and a bug: tests of their own below and elsewhere."""
+WITHOUT_EXAMPLES = {"JK009", "JK010", "JK061", "JK062", "JK065", "JK802", "JK803", "JK804", "JK901", "JK902"}
+"""Hundreds of faults, levels of nesting or records, a cut-off pack and a bug: tests of their own elsewhere."""
 
 BAD = [(r, e) for r in rules() for e in r.bad]
 GOOD = [(r, e) for r in rules() for e in r.good]
@@ -18,7 +20,8 @@ GOOD = [(r, e) for r in rules() for e in r.good]
 def codes(rule: Rule, example: Example) -> set[str]:
     # Whether a comment is unused shows only beside the rules that it names.
     running = rules() if rule.code.id == "JK020" else [rule]
-    return {d.code.id for d in lint(level_of(two_rooms(*example.lines)), running)}
+    document = script_of(whole(*example.lines)) if rule.looks_at == (Script,) else level_of(two_rooms(*example.lines))
+    return {d.code.id for d in lint(document, running)}
 
 
 @pytest.mark.parametrize(("rule", "example"), BAD, ids=[f"{r.code}-{i}" for i, (r, _) in enumerate(BAD)])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from jktools.diagnostics import Diagnostic, Label
+from jktools.diagnostics.suppression import LINES, CommentStyle, code_comments
 from jktools.source import Source
 from jktools.syntax.cog import faults
 from jktools.syntax.cog.header import read_header
@@ -38,6 +39,11 @@ class Script:
     def rejected(self) -> bool:
         """Whether the engine refuses it."""
         return bool(self.faults)
+
+    @property
+    def comment_styles(self) -> tuple[CommentStyle, ...]:
+        """How comments look, in the header and in the code."""
+        return LINES, code_comments(self.code.start)
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
