@@ -29,7 +29,7 @@ MOST_NESTED = 30
 IDLE, RUNNING, SLEEPING, WAITING, INTERRUPTED = range(5)
 
 
-class Hung(Exception):
+class HungError(Exception):
     """The game would hang here."""
 
 
@@ -219,7 +219,7 @@ class Machine:
                     outside = [h.label for h in self.program.handlers if h.message.name not in ("pulse", "timer")]
                     if outside:
                         self.event(self.random.choice(outside))
-        except Hung:
+        except HungError:
             self.log.hung = True
         return self.log
 
@@ -274,7 +274,7 @@ class Machine:
         while self.state == RUNNING:
             self.steps += 1
             if self.steps - depth > MOST_STEPS or self.steps > 100 * MOST_STEPS:
-                raise Hung
+                raise HungError
             op, arg, node = self.code[self.pc]
             self.pc += 1
             getattr(self, f"do_{op}")(arg, node)
@@ -393,7 +393,7 @@ class Machine:
     def interrupt(self, action: Any) -> None:
         """Run handlers in the middle of a verb, and come back."""
         if self.nested > MOST_NESTED:
-            raise Hung
+            raise HungError
         before = (self.pc, self.state, self.handler, len(self.frames))
         self.nested += 1
         action()

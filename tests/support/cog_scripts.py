@@ -29,13 +29,15 @@ VARIABLES = ["count", "i", "k", "rate", "f", "v", "target", "self", "room", "oth
 NUMBERS = ["0", "1", "2", "3", "-1", "0.5", "10", "0x10", "1.5", "100", "0.05", "16777217", "-0.25"]
 ASKING = [
     "GetLocalPlayerThing()", "GetThingType({})", "HasLOS({}, {})", "Rand()", "GetParam({})", "FirstThingInSector({})",
-    "NextThingInSector({})", "GetThingPos({})", "VectorX({})", "IsServer()", "GetThingMass({})", "VectorSet({}, {}, {})",
+    "NextThingInSector({})", "GetThingPos({})", "VectorX({})", "IsServer()", "GetThingMass({})",
+    "VectorSet({}, {}, {})",
     "DamageThing({}, {}, 1, {})", "CreateThing({}, {})", "GetSelfCog()", "SendMessageEx({}, user0, 1, 2, 3, 4)",
 ]  # fmt: skip
 DOING = [
     "SetPulse({});", "SetTimer({});", "SetTimerEx({}, 1, 2, 3);", "Sleep({});", "SendMessage(GetSelfCog(), user1);",
     "Print(\"x\");", "SetThingPulse({}, {});", "MoveToFrame({}, {}, {});", "DestroyThing({});", "SetWallCel({}, {});",
-    "ReturnEx({});", "WaitForStop({});", "Sleep({}, {});", "SetPulse();", "NoSuchVerb({});", "{};", "SetThingTimer({}, {});",
+    "ReturnEx({});", "WaitForStop({});", "Sleep({}, {});", "SetPulse();", "NoSuchVerb({});", "{};",
+    "SetThingTimer({}, {});",
 ]  # fmt: skip
 OPERATORS = ["+", "-", "*", "/", "%", "<", ">", "<=", ">=", "==", "!=", "&&", "||", "&", "|", "^"]
 
@@ -74,7 +76,9 @@ class Writer:
     def loop(self, depth: int) -> str:
         variable = self.random.choice(["i", "k", "f", "extra"])
         step = self.random.choice(["1", "2", "0.5", "rate", "count", "-1"])
-        test = f"{variable} {self.random.choice(['<', '<=', '>', '>='])} {self.random.choice(['5', 'count', '10.5', '0'])}"
+        test = (
+            f"{variable} {self.random.choice(['<', '<=', '>', '>='])} {self.random.choice(['5', 'count', '10.5', '0'])}"
+        )
         inner = self.body(depth - 1, 3)
         if self.random.random() < 0.15:
             inner += f"if ({self.expression(1)}) {variable} = 100;\n"

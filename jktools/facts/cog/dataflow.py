@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from jktools.facts.cog import ranges
 from jktools.facts.cog.lowering import Block, Flow, Instruction, Op
@@ -62,7 +63,15 @@ def initial_ranges(program: Program, bound: Mapping[int, Value] | None) -> list[
             found.append(ANY_INT if message is None else ranges.of_value(message.id))
         elif bound is not None and slot.index in bound:
             found.append(ranges.of_value(bound[slot.index]))
-        elif (bound is None and slot.takes_value) or slot.type not in ("int", "flex", "float", "thing", "surface", "sector", "cog"):
+        elif (bound is None and slot.takes_value) or slot.type not in (
+            "int",
+            "flex",
+            "float",
+            "thing",
+            "surface",
+            "sector",
+            "cog",
+        ):
             found.append(_of_type(slot.type))
         else:
             found.append(ranges.of_value(default_value(slot.type, slot.declared.default)))
@@ -119,7 +128,7 @@ def _invariants(known: Known, blocks: Sequence[Block]) -> None:
     for block in blocks:
         # A block can begin with operations of no statement of its own: the step of a `for`.
         ends = [0, *block.starts, len(block.code)]
-        for start, end in zip(ends, ends[1:], strict=False):
+        for start, end in pairwise(ends):
             code = block.code[start:end]
             if any(op is Op.STORE or op is Op.STORE_AT for op, _, _ in code):
                 storing.append(code)
@@ -155,10 +164,7 @@ def _run(
         elif op is Op.CALL:
             count = len(arg.args)
             held = len(stack)
-            if count <= held:
-                given = tuple(stack[held - count :])
-            else:
-                given = (*((ANY,) * (count - held)), *stack)
+            given = tuple(stack[held - count :]) if count <= held else (*((ANY,) * (count - held)), *stack)
             del stack[max(held - count, 0) :]
             if known is not None:
                 known.arguments[node] = given  # type: ignore[index]
@@ -359,4 +365,3 @@ class _Sharpening:
             else:
                 old[slot] = joined
         return changed
-

@@ -17,7 +17,6 @@ from jktools.model.cog.program import Program, Role
 from jktools.syntax.cog.nodes import (
     Assign,
     Binary,
-    Block as Braces,
     Call,
     CallLabel,
     DoWhile,
@@ -38,6 +37,9 @@ from jktools.syntax.cog.nodes import (
     Vector,
     While,
 )  # fmt: skip
+from jktools.syntax.cog.nodes import (
+    Block as Braces,
+)
 
 
 class Op(IntEnum):

@@ -27,7 +27,9 @@ PULSE, TIMER = 13, 4
 TRIGGER = 40
 FRAMES_PER_SECOND = 50.0
 
-SourceKind = Literal["pulse", "timer", "each timer", "thing pulse", "thing timer", "message", "trigger", "once", "event"]
+SourceKind = Literal[
+    "pulse", "timer", "each timer", "thing pulse", "thing timer", "message", "trigger", "once", "event"
+]
 
 
 @dataclass(frozen=True, slots=True)

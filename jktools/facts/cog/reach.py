@@ -52,9 +52,7 @@ class Reach:
     @cached_property
     def handler_blocks(self) -> Mapping[str, frozenset[int]]:
         """For each handler's label, the blocks that it leads to, calls included."""
-        return {
-            h.label: frozenset(self.blocks_from([self.flow.label_block[h.label]])) for h in self.program.handlers
-        }
+        return {h.label: frozenset(self.blocks_from([self.flow.label_block[h.label]])) for h in self.program.handlers}
 
     @cached_property
     def dead(self) -> tuple[Statement, ...]:

@@ -16,7 +16,7 @@ from jktools.facts.cog.dataflow import Known
 from jktools.facts.cog.lowering import Block, Flow, Op
 from jktools.facts.cog.reach import Reach
 from jktools.model.cog.program import Program
-from jktools.syntax.cog.nodes import Assign, Binary, Expression, Name, Number
+from jktools.syntax.cog.nodes import Assign, Binary, Expression, Name
 
 MOST_FRAMES = 4
 """How deep `call` and messages nest."""
@@ -143,9 +143,7 @@ class Counter:
             self._within[entry] = found
         return self._within[entry]
 
-    def _loop(
-        self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int
-    ) -> tuple[int, Repeats]:
+    def _loop(self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int) -> tuple[int, Repeats]:
         """The header of a loop, -1 when it has several, and the passes of what is in it."""
         outside = inside - part
         headers = [i for i in sorted(part) if i == entry or outside.intersection(self.flow.blocks[i].predecessors)]
@@ -172,8 +170,8 @@ class Counter:
         """How long a pass of a block sleeps at least."""
         longest = 0.0
         for op, arg, node in block.code:
-            if op is Op.CALL and arg.name == "sleep" and node in self.known.arguments:  # type: ignore[comparison-overlap]
-                longest = max(longest, least_sleep(self.known.arguments[node][0]))  # type: ignore[index]
+            if op is Op.CALL and arg.name == "sleep" and node in self.known.arguments:
+                longest = max(longest, least_sleep(self.known.arguments[node][0]))
         return longest
 
     # ---- loops that count
@@ -303,6 +301,4 @@ def _nested(outer: Repeats, inner: Repeats) -> Repeats:
     if math.isinf(outer.per_run) or math.isinf(inner.per_run):
         return UNBOUNDED
     again = outer.times(inner.per_run)
-    return Repeats(
-        again.per_run, again.per_second + inner.per_second, again.per_interruption + inner.per_interruption
-    )
+    return Repeats(again.per_run, again.per_second + inner.per_second, again.per_interruption + inner.per_interruption)

@@ -162,11 +162,9 @@ class Program:
     @cached_property
     def declared_messages(self) -> tuple[tuple[Symbol, Message | None], ...]:
         """The `message` symbols, each with the message that it binds, None for a name that is no message."""
-        found = []
-        for symbol in self.header.symbols:
-            if symbol.type == "message":
-                found.append((symbol, self.vocabulary.messages.get(symbol.default or symbol.name.key)))
-        return tuple(found)
+        known = self.vocabulary.messages
+        declared = [symbol for symbol in self.header.symbols if symbol.type == "message"]
+        return tuple((symbol, known.get(symbol.default or symbol.name.key)) for symbol in declared)
 
     @cached_property
     def handlers(self) -> tuple[Handler, ...]:
