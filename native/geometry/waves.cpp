@@ -10,9 +10,6 @@
 namespace jk {
 namespace {
 
-// A packet of fewer costs more than looks one by one.
-constexpr std::size_t kFewest = 2;
-
 class Waves {
 public:
     Waves(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Queries& queries, Sight& out)
@@ -67,11 +64,7 @@ private:
             segments[count] = queries_.segment(first_ + row);
             entered[count] = stands_[row].entered;
         }
-        if (count < kFewest) {
-            for (std::size_t i = 0; i < count; ++i) seen[i] = glance(rooms_, fans_, sector, segments[i], entered[i]);
-        } else {
-            glance_packet(rooms_, fans_, sector, segments.data(), entered.data(), static_cast<int>(count), seen.data());
-        }
+        glance_packet(rooms_, fans_, sector, segments.data(), entered.data(), static_cast<int>(count), seen.data());
         for (std::size_t i = 0; i < count; ++i) follow(sorted_[from + i], segments[i], seen[i]);
         return count;
     }

@@ -10,7 +10,7 @@
 namespace jk {
 
 // Rows that are walked together: enough to meet in sectors, few enough to stay in the cache.
-inline constexpr std::size_t kWave = 16384;
+inline constexpr std::size_t kWave = 8192;
 
 // Answers the rows [first, end), at most kWave of them.
 void walk_waves(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Queries& queries, std::size_t first,

@@ -166,8 +166,9 @@ TEST_CASE("a long row of rooms is crossed to its end") {
     jk::SectorMesh mesh = Grid(40, 0, 3).mesh();
     const jk::Viewer viewer(std::move(mesh));
     const double far = 1e3;
-    const auto found = viewer.sight(std::vector<double>{0.1, 0.1, 0.1}, std::vector<jk::Index>{0},
-                                    std::vector<double>{far, 0.1, 0.1}, jk::Tier::kBalanced, 1);
+    const std::vector<double> origin{0.1, 0.1, 0.1}, target{far, 0.1, 0.1};
+    const std::vector<jk::Index> sector{0};
+    const auto found = viewer.sight({origin, sector, target}, jk::Tier::kBalanced, 1);
     CHECK(found.crossed[0] == 40);
     CHECK(found.visible[0] == 0);
 }

@@ -29,7 +29,7 @@ void make(Viewer* viewer, Array<double> positions, Array<Index> surface_start, A
 auto sight(const Viewer& viewer, Array<double> origins, Array<Index> sectors, Array<double> targets,
            const char* accuracy, unsigned threads) {
     const Tier tier = tier_of(accuracy);
-    Sight found;
+    Sight found(0);
     {
         nb::gil_scoped_release release;
         found = viewer.sight({view(origins), view(sectors), view(targets)}, tier, threads);
