@@ -24,7 +24,13 @@ from jktools.session.settings import Game
 @click.option("-q", "--quiet", is_flag=True, help="Do not list what was written.")
 @common
 def command(
-    paths: tuple[str, ...], out: Path, quiet: bool, game: Game | None, config: str | None, strict_grammar: bool
+    paths: tuple[str, ...],
+    out: Path,
+    quiet: bool,
+    game: Game | None,
+    base: tuple[str, ...],
+    config: str | None,
+    strict_grammar: bool,
 ) -> int:
     """Compile every level found to OUT/<name>.jklb.
 
@@ -36,7 +42,7 @@ def command(
     """
     # A level's name in OUT depends on all levels, so one configuration serves them all: that of the first path.
     _, found = next(configured(paths, config))
-    settings = overridden(found.settings, game, strict_grammar)
+    settings = overridden(found.settings, game, base, strict_grammar)
     with progress("compiling") as report:
         built = build_all(paths, out, settings, report)
     if not quiet:

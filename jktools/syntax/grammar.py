@@ -10,6 +10,7 @@ import sys
 import tempfile
 from functools import cache
 from importlib.resources import files
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Literal
 
@@ -18,6 +19,9 @@ import lark
 CACHE_FOLDER_VARIABLE = "JKTOOLS_CACHE"
 """Names another folder for the parse tables; empty turns the cache off."""
 
+
+_SHARED = "words"
+"""The grammar that others import their terminals from."""
 
 Lexer = Literal["contextual", "basic"]
 """Whether the scanner knows what the parser expects; that of COG code must not: `while` is no name anywhere."""
@@ -30,11 +34,12 @@ def load(name: str, start: tuple[str, ...], lexer: Lexer = "contextual") -> lark
     Building tables takes some 50 ms, reading them back 10. Lark unpickles what it finds, so the cache is trusted
     only in a folder that belongs to this user and that nobody else can write to.
     """
-    text = files("jktools").joinpath("grammars", f"{name}.lark").read_text("utf-8")
+    text = _text(name)
     folder = _cache_folder()
     if folder is None:
         return _build(text, start, lexer)
-    key = hashlib.sha256(repr((text, start, lexer, lark.__version__, sys.version_info[:2])).encode()).hexdigest()
+    parts = (text, _text(_SHARED), start, lexer, lark.__version__, sys.version_info[:2])
+    key = hashlib.sha256(repr(parts).encode()).hexdigest()
     kept = folder / f"{name}-{key[:20]}.lark"
     if kept.exists():
         return _build(text, start, lexer, kept)
@@ -53,6 +58,14 @@ def load(name: str, start: tuple[str, ...], lexer: Lexer = "contextual") -> lark
     return parser
 
 
+def _file(name: str) -> Traversable:
+    return files("jktools").joinpath("grammars", f"{name}.lark")
+
+
+def _text(name: str) -> str:
+    return _file(name).read_text("utf-8")
+
+
 def _build(text: str, start: tuple[str, ...], lexer: Lexer, kept: Path | None = None) -> lark.Lark:
     return lark.Lark(
         text,
@@ -61,6 +74,7 @@ def _build(text: str, start: tuple[str, ...], lexer: Lexer, kept: Path | None = 
         start=list(start),
         cache=False if kept is None else str(kept),
         maybe_placeholders=False,
+        import_paths=[str(Path(str(_file(_SHARED))).parent)],
     )
 
 

@@ -12,7 +12,7 @@ from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context
 from jktools.syntax.jkl.document import Cogs, Int32, Parameters, Templates, Things
 from jktools.syntax.jkl.lists import read_until_end
-from jktools.syntax.jkl.rows import ints
+from jktools.syntax.rows import ints
 
 
 def split_parameter(word: str) -> tuple[str, str]:

@@ -20,9 +20,9 @@ from jktools.syntax.jkl.georesource import GeoResource, read_georesource
 from jktools.syntax.jkl.lists import COLORMAPS, SECTIONS, read_list
 from jktools.syntax.jkl.objects import read_cogs, read_templates, read_things
 from jktools.syntax.jkl.records import HEADER_LINES
-from jktools.syntax.jkl.rows import floats, ints
 from jktools.syntax.jkl.sectors import read_sectors
 from jktools.syntax.lines import SECTION
+from jktools.syntax.rows import floats, ints
 
 COPYRIGHT_LINES = 34
 """Lines that the engine takes from COPYRIGHT (sithCopyright_Load)."""
