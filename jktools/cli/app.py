@@ -97,6 +97,12 @@ def _let_go_of_stdout() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+base_option = click.option(
+    "--base", multiple=True, metavar="PATH",
+    help="A folder or pack with the game's own files, searched after the level's own. May be repeated.",
+)  # fmt: skip
+
+
 def common(function: Any) -> Any:
     """The options that every command over levels has."""
     options = (
@@ -104,6 +110,7 @@ def common(function: Any) -> Any:
             "--game", type=click.Choice(["jk", "mots"]), default=None,
             help="The game whose reading applies. [default: mots for a GOO, else jk]",
         ),
+        base_option,
         click.option(
             "--config", metavar="FILE", default=None,
             help="The configuration to use, or none for none. [default: jktools.toml found upward from each PATH]",

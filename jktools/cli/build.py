@@ -37,6 +37,7 @@ def command(
     keep_going: bool,
     quiet: bool,
     game: Game | None,
+    base: tuple[str, ...],
     config: str | None,
     strict_grammar: bool,
 ) -> int:
@@ -51,7 +52,7 @@ def command(
     """
     # A level's name in OUT depends on all levels, so one configuration serves them all: that of the first path.
     _, found = next(configured(paths, config))
-    settings = overridden(found.settings, game, strict_grammar)
+    settings = overridden(found.settings, game, base, strict_grammar)
     with progress("compiling") as report:
         compiling = CompileSettings(only=frozenset(only), skip=frozenset(skip), keep_going=keep_going)
         built = build_all(paths, out, settings, report, compiling)

@@ -8,6 +8,7 @@ import numpy as np
 
 from jktools.diagnostics import Diagnostic
 from jktools.model.objects import Cog, Template, Thing
+from jktools.model.resources import Resources
 from jktools.model.templates import Resolved, TemplateSet
 from jktools.model.views import Adjoin, Records, Sector, Surface
 from jktools.source import Source, Span
@@ -29,9 +30,13 @@ class Level:
     sections are columns in `document`; records are views made on demand.
     """
 
-    def __init__(self, document: Document) -> None:
-        """Resolve the references of a document. Never raises: what points nowhere resolves to -1."""
+    def __init__(self, document: Document, resources: Resources | None = None) -> None:
+        """Resolve the references of a document. Never raises: what points nowhere resolves to -1.
+
+        `resources` are the files that it can name; without them none is found.
+        """
         self.document = document
+        self.resources = resources or Resources()
 
     def __repr__(self) -> str:
         return (

@@ -12,6 +12,7 @@ from jktools.diagnostics import Diagnostic, Label
 from jktools.linter import Selection, lint, select
 from jktools.linter.rule import FILE_FAILED
 from jktools.model import Level
+from jktools.model.resources import Library
 from jktools.session.ignores import unused_ignores, with_settings
 from jktools.session.levels import LEVELS, SCRIPT_EXTENSION, discover, read_level
 from jktools.session.scripts import bound_scripts, read_member_script
@@ -60,10 +61,11 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     """Lint every level and script that the paths name, and the scripts that those levels bind, each once.
 
     A path that cannot be read is told in `Batch.problems`, and the rest is linted all the same. Raises
-    UnknownRuleError when the settings name a rule that does not exist.
+    UnknownRuleError when the settings name a rule that does not exist, InputError when a base cannot be opened.
     """
     settings = settings or Settings()
     rules = select(Selection(settings.select, settings.ignore))
+    library = Library(settings.base)
     batch = Batch()
     members = _members(paths, batch.problems, (*LEVELS, SCRIPT_EXTENSION))
     known = {_identity(member) for member in members}
@@ -72,7 +74,7 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     for done, member in enumerate(members):  # grows by the scripts that levels bind
         progress(done, len(members), member.path)
         try:
-            document = _read(member, settings)
+            document = _read(member, settings, library)
             bound = (
                 [m for m in bound_scripts(document) if _identity(m) not in known] if isinstance(document, Level) else []
             )
@@ -93,10 +95,10 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     return batch
 
 
-def _read(member: Member, settings: Settings) -> Level | Script:
-    return (
-        read_member_script(member, settings) if member.extension == SCRIPT_EXTENSION else read_level(member, settings)
-    )
+def _read(member: Member, settings: Settings, library: Library) -> Level | Script:
+    if member.extension == SCRIPT_EXTENSION:
+        return read_member_script(member, settings)
+    return read_level(member, settings, library)
 
 
 def _failed(member: Member, error: Exception) -> Diagnostic:
@@ -154,10 +156,11 @@ def build_all(
     """Compile every level that the paths name into files below `out`, or into `out` itself when it names a .jklb.
 
     What cannot be read, compiled or written is told, and the rest is built. Raises InputError when `out` cannot hold
-    the levels.
+    the levels or a base cannot be opened.
     """
     settings = settings or Settings()
     built = Built()
+    library = Library(settings.base)
     members = _members(paths, built.problems)
     targets = _targets(members, out)
     for done, (member, target) in enumerate(zip(members, targets, strict=True)):
@@ -167,7 +170,7 @@ def build_all(
 
         progress(done, len(members), member.path)
         try:
-            level = read_level(member, settings)
+            level = read_level(member, settings, library)
             if level.document.sections and not level.has_geometry:
                 built.skipped.append(f"{member.path}: skipped, it has no GEORESOURCE (resources and templates only)")
                 continue

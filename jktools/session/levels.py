@@ -8,6 +8,7 @@ from typing import Literal, get_args
 from jktools.compiler import CompileSettings, compile_level
 from jktools.geometry import SectorMesh
 from jktools.model import Level
+from jktools.model.resources import Library
 from jktools.session.settings import Game, Settings
 from jktools.source import PACK_EXTENSIONS, Container, Folder, InputError, Member, Target, Zip, enter, resolve
 from jktools.source.container import PACK_SEPARATOR
@@ -67,23 +68,28 @@ def game_of(member: Member, chosen: Game | None) -> Game:
     return "mots" if pack.lower().endswith(".goo") else "jk"
 
 
-def read_level(member: Member, settings: Settings) -> Level:
-    """Read one level. Raises InputError when the file cannot be opened; its faults are in `diagnostics`."""
+def read_level(member: Member, settings: Settings, library: Library | None = None) -> Level:
+    """Read one level. Raises InputError when the file cannot be opened; its faults are in `diagnostics`.
+
+    `library` is what its run reads files from; without one the bases of the settings are opened anew.
+    """
     game = game_of(member, settings.game)
     read = read_library if member.extension == LIBRARY_EXTENSION else read_jkl
-    return Level(read(member.read(), game, strict_grammar=settings.strict_grammar))
+    resources = (library or Library(settings.base)).resources_of(member)
+    return Level(read(member.read(), game, strict_grammar=settings.strict_grammar), resources)
 
 
-def load(path: str, game: Game | None = None) -> Level:
+def load(path: str, base: Sequence[str] = (), game: Game | None = None) -> Level:
     """Read the one level that a path names, as `masspack.gob!jkl/lagoon.jkl`.
 
-    Raises InputError when the path cannot be opened, is no level, or holds several. What is wrong inside the level
-    is in `Level.diagnostics`.
+    `base` are folders or packs with the game's own files, searched in their order after those beside the level; see
+    `Level.resources`. Raises InputError when a path cannot be opened, or `path` is no level or holds several. What is
+    wrong inside the level is in `Level.diagnostics`.
     """
     levels = discover(path)
     if len(levels) > 1:
         raise InputError(f"{path} holds {len(levels)} levels: name one of {listed(m.path for m in levels)}")
-    level = read_level(levels[0], Settings(game))
+    level = read_level(levels[0], Settings(game, base=tuple(base)))
     if not level.document.sections:
         raise InputError(f"cannot read {levels[0].path}: it has no SECTION: lines, so it is no level")
     return level

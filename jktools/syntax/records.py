@@ -120,7 +120,8 @@ class Record:
         words = WORD.findall(self.words(text))
         if len(words) < len(self.fields):
             return None
-        return [prefix(f.kind, word) for f, word in zip(self.fields, words, strict=False)]
+        read = [prefix(f.kind, word) for f, word in zip(self.fields, words, strict=False)]
+        return read + words[len(read) :] if self.more == "*" else read
 
 
 def prefix(kind: Kind, word: str) -> str:

@@ -7,7 +7,7 @@ import pytest
 from jktools.linter import Rule, lint, rules
 from jktools.linter.rule import Example
 from jktools.syntax.cog import Script
-from tests.support.levels import level_of, two_rooms
+from tests.support.levels import FILE, level_of, level_with_files, two_rooms
 from tests.support.scripts import script_of, whole
 
 WITHOUT_EXAMPLES = {"JK009", "JK010", "JK061", "JK062", "JK065", "JK802", "JK803", "JK804", "JK901", "JK902"}
@@ -20,6 +20,9 @@ GOOD = [(r, e) for r in rules() for e in r.good]
 def codes(rule: Rule, example: Example) -> set[str]:
     # Whether a comment is unused shows only beside the rules that it names.
     running = rules() if rule.code.id == "JK020" else [rule]
+    if any(line.startswith(FILE) for line in example.lines):
+        with level_with_files(*example.lines) as level:
+            return {d.code.id for d in lint(level, running)}
     document = script_of(whole(*example.lines)) if rule.looks_at == (Script,) else level_of(two_rooms(*example.lines))
     return {d.code.id for d in lint(document, running)}
 
