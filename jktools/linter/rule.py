@@ -11,8 +11,9 @@ from typing import Any, NamedTuple, get_args, get_type_hints
 import msgspec
 
 from jktools.diagnostics import Code, Diagnostic, Label, Severity, Subject
-from jktools.facts import LevelFacts, ScriptFacts
+from jktools.facts import AssetFacts, LevelFacts, ScriptFacts
 from jktools.model import Level
+from jktools.syntax.assets.asset import Asset
 from jktools.syntax.cog import Script
 
 
@@ -40,12 +41,12 @@ class Options(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
 
-Document = Level | Script
+Document = Level | Script | Asset
 """What rules look at."""
 
-ANY_DOCUMENT: tuple[type[Document], ...] = (Level, Script)
+ANY_DOCUMENT: tuple[type[Document], ...] = (Level, Script, Asset)
 
-Facts = LevelFacts | ScriptFacts
+Facts = LevelFacts | ScriptFacts | AssetFacts
 """What can be known about it."""
 
 Check = Callable[..., Iterable[Finding | Diagnostic]]
@@ -54,6 +55,8 @@ Check = Callable[..., Iterable[Finding | Diagnostic]]
 
 def facts_of(document: Document) -> Facts:
     """Facts of the kind that rules on such a document take."""
+    if isinstance(document, Asset):
+        return AssetFacts(document)
     return ScriptFacts(document) if isinstance(document, Script) else LevelFacts(document)
 
 
@@ -128,7 +131,8 @@ def rule(
 ) -> Callable[[Check], Rule]:
     """Make a rule of a function `check(level, facts)`, or `check(script, facts)`, that yields findings.
 
-    `looks_at` is the kind of document that it takes: `Level` with `LevelFacts`, or `Script` with `ScriptFacts`. With
+    `looks_at` is the kind of document that it takes: `Level` with `LevelFacts`, `Script` with `ScriptFacts`, or `Asset`
+    (or one kind of them) with `AssetFacts`. With
     `options` the function takes an instance of them as its third argument.
     """
 
