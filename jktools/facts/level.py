@@ -6,6 +6,7 @@ from functools import cached_property
 
 from jktools import geometry
 from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.movers import Mover, movers
 from jktools.facts.script import ScriptFacts
 from jktools.geometry import (
     Alignment,
@@ -19,6 +20,7 @@ from jktools.geometry import (
     SectorMesh,
     Turns,
 )
+from jktools.geometry.collision import Collision
 from jktools.geometry.validity import Int32
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
@@ -54,6 +56,16 @@ class LevelFacts:
     def mesh(self) -> SectorMesh:
         """The sectors, ready for questions of place and sight."""
         return SectorMesh.from_level(self.level)
+
+    @cached_property
+    def collision(self) -> Collision:
+        """The sectors as bodies meet them."""
+        return Collision(self.level)
+
+    @cached_property
+    def movers(self) -> list[Mover]:
+        """The placed things with frames of their own."""
+        return movers(self.level)
 
     @cached_property
     def overlaps(self) -> Overlaps:

@@ -86,7 +86,8 @@ def load(path: str, base: Sequence[str] = (), game: Game | None = None) -> Level
     `Level.resources`. Raises InputError when a path cannot be opened, or `path` is no level or holds several. What is
     wrong inside the level is in `Level.diagnostics`.
     """
-    levels = discover(path)
+    library = path.lower().endswith(f".{LIBRARY_EXTENSION}")
+    levels = discover(path, extensions=(LIBRARY_EXTENSION if library else LEVEL_EXTENSION,))
     if len(levels) > 1:
         raise InputError(f"{path} holds {len(levels)} levels: name one of {listed(m.path for m in levels)}")
     level = read_level(levels[0], Settings(game, base=tuple(base)))
