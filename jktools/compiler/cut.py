@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from jktools.facts import LevelFacts
 from jktools.facts.reachability import Reach
-from jktools.model import Level, Template
+from jktools.model import Template
 
 NAMED = 3
 """Scripts named in a note."""
@@ -27,7 +27,7 @@ class Omission:
 
 
 @dataclass(frozen=True, slots=True)
-class Cut:
+class Choice:
     """The templates that stay."""
 
     kept: npt.NDArray[np.intp]
@@ -35,18 +35,19 @@ class Cut:
     omissions: tuple[Omission, ...]
 
 
-def cut_templates(level: Level, facts: LevelFacts, *, cut_anyway: bool = False) -> Cut:
+def choose(facts: LevelFacts, *, cut_anyway: bool = False) -> Choice:
     """Keep the templates that the level can reach.
 
     While a COG that it uses cannot be read every template that the engine keeps stays, unless `cut_anyway`.
     """
+    level = facts.level
     listed = [template for template in level.templates if template.dropped is None]
     dropped = [template for template in level.templates if template.dropped is not None]
     reached, kept = facts.reach, listed
     if reached.is_complete or cut_anyway:
         kept = [template for template in listed if reached.has(template.resolved)]
     left = sorted({t.index for t in listed} - {t.index for t in kept})
-    return Cut(
+    return Choice(
         np.array([template.index for template in kept], np.intp),
         _note(reached, len(listed), len(kept), cut_anyway=cut_anyway),
         tuple(_omissions([level.templates[i] for i in left], dropped)),

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from jktools.compiler.columns import RESOURCES
+from jktools.compiler.cut import Omission, choose
+from jktools.compiler.settings import CompileSettings
+from jktools.facts import LevelFacts
 from jktools.model import Level
 from jktools.model.templates import Resolved, Setting
 from jktools.syntax.jkl import Parameters
@@ -17,6 +21,22 @@ from jktools.syntax.template.values import ValueKind
 
 Columns = Mapping[str, npt.NDArray[Any]]
 Rows = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class NotNeeded:
+    """Nothing in the scene calls for a section."""
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """A section that leaves records out."""
+
+    columns: Columns
+    note: str
+    omissions: tuple[Omission, ...]
 
 
 class Strings:
@@ -35,13 +55,15 @@ class Strings:
         return np.array([self._index.setdefault(text, len(self._index)) for text in texts], np.uint32)
 
 
-def resources(level: Level, strings: Strings) -> Columns:
+def resources(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns:
     """The plain lists."""
+    level = facts.level
     return {key: strings.indices(level.names(key)) for key in RESOURCES}
 
 
-def geometry(level: Level, strings: Strings) -> Columns:
+def geometry(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns:
     """Vertices, adjoins, surfaces and sectors as written, with the references between them."""
+    level = facts.level
     adjoins, surfaces, sectors = level.document.adjoins, level.document.surfaces, level.document.sectors
     sounds = iter(strings.indices(sound for sound in sectors.sound if sound is not None))
     return {
@@ -84,18 +106,22 @@ def geometry(level: Level, strings: Strings) -> Columns:
     }
 
 
-def templates(level: Level, kept: Rows, strings: Strings) -> Columns | None:
-    """These templates as written and as the engine holds them; None when there are none."""
-    table = level.document.templates
+def templates(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Cut | NotNeeded:
+    """The templates that the level can reach, as written and as the engine holds them."""
+    level = facts.level
+    chosen = choose(facts, cut_anyway=settings.cut_anyway)
+    kept = chosen.kept
     if not len(kept):
-        return None
-    return {
+        return NotNeeded(chosen.note if len(level.templates) else "the level lists no template")
+    table = level.document.templates
+    columns = {
         "source": kept,
         "name": strings.indices(table.names[i] for i in kept),
         "parent": strings.indices(table.parents[i] for i in kept),
         **_parameters(table.parameters, kept, strings),
         **_resolved(level, [level.resolved_templates[i] for i in kept.tolist()], strings),
     }
+    return Cut(columns, chosen.note, chosen.omissions)
 
 
 def _resolved(level: Level, held: Sequence[Resolved], strings: Strings) -> Columns:
@@ -134,12 +160,13 @@ def _numbers(value: object) -> list[float]:
     return [float(value)] if isinstance(value, (int, float)) else []
 
 
-def things(level: Level, strings: Strings) -> Columns | None:
-    """Things as placed, without those that the engine drops; None when there are none."""
+def things(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+    """Things as placed, without those that the engine drops."""
+    level = facts.level
     table = level.document.things
     kept = np.array([t.index for t in level.things if t.dropped is None], np.intp)
     if not len(kept):
-        return None
+        return NotNeeded("no thing is placed")
     return {
         "source": kept,
         "number": table.number[kept],
@@ -153,11 +180,12 @@ def things(level: Level, strings: Strings) -> Columns | None:
     }
 
 
-def cogs(level: Level, strings: Strings) -> Columns | None:
-    """Placed COGs with their values; None when there are none."""
+def cogs(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+    """Placed COGs with their values."""
+    level = facts.level
     table = level.document.cogs
     if not len(table):
-        return None
+        return NotNeeded("no COG is placed")
     return {
         "source": np.arange(len(table)),
         "script": strings.indices(table.scripts),

@@ -14,10 +14,12 @@ from jktools import __version__
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import seal
 from jktools.compiler.columns import SECTIONS
-from jktools.compiler.cut import Cut, Omission, cut_templates
+from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
+from jktools.compiler.passes import Outcome, Progress, run
 from jktools.compiler.reader import FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
-from jktools.compiler.sections import Columns, Strings, cogs, geometry, resources, templates, things
+from jktools.compiler.sections import Columns, Strings
+from jktools.compiler.settings import CompileSettings
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.model import Level
@@ -30,36 +32,42 @@ FIRST_GUESS = 1 << 20
 
 
 @dataclass(frozen=True, slots=True)
-class CompileSettings:
-    """What a level is compiled for; recorded in the file."""
+class Compilation:
+    """A compiled level, and what went wrong on the way."""
 
-    engine: str = "research"
-    accuracy: str = "balanced"
-    cut_anyway: bool = False
-    """Leave out templates that nothing is known to reach, though not all COGs are at hand to tell."""
+    data: bytes
+    failures: tuple[str, ...]
+    """Bugs in jktools: a sentence for each pass that failed, whose section is absent."""
 
 
 def compile_level(level: Level, settings: CompileSettings | None = None) -> bytes:
-    """Compile a level. Raises CompileError when the engine would refuse it or read beyond its lists."""
+    """Compile a level as `compilation` does, and give the file's bytes alone."""
+    return compilation(level, settings).data
+
+
+def compilation(
+    level: Level,
+    settings: CompileSettings | None = None,
+    facts: LevelFacts | None = None,
+    progress: Progress = lambda _: None,
+) -> Compilation:
+    """Compile a level.
+
+    Raises CompileError when the engine would refuse it or read beyond its lists, PassError when a pass fails and the
+    settings do not say to keep going.
+    """
     settings = settings or CompileSettings()
     _refuse_broken(level)
     strings = Strings()
-    cut = cut_templates(level, LevelFacts(level), cut_anyway=settings.cut_anyway)
-    sections: dict[str, Columns | None] = {
-        "resources": resources(level, strings),
-        "geometry": geometry(level, strings),
-        "templates": templates(level, cut.kept, strings),
-        "things": things(level, strings),
-        "cogs": cogs(level, strings),
-    }
-    data = _assemble(level, settings, strings, sections, cut)
+    outcomes = run(facts or LevelFacts(level), strings, settings, progress)
+    data = _assemble(level, settings, strings, outcomes)
     try:
         CompiledLevel(data, level.path)
     except CompiledFileError as error:
         raise CompileError(
             f"cannot compile {level.path}: {error.__cause__ or error}; `jktools lint` tells where"
         ) from error
-    return data
+    return Compilation(data, tuple(o.note for o in outcomes.values() if o.failed))
 
 
 def _refuse_broken(level: Level) -> None:
@@ -76,20 +84,18 @@ def _refuse_broken(level: Level) -> None:
         )
 
 
-def _assemble(
-    level: Level, settings: CompileSettings, strings: Strings, sections: Mapping[str, Columns | None], cut: Cut
-) -> bytes:
+def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcomes: Mapping[str, Outcome]) -> bytes:
     builder = flatbuffers.Builder(FIRST_GUESS)
     offsets: dict[str, int] = {}
-    for name, columns in sections.items():
-        if columns is not None:
-            offsets[name] = _section(builder, name, columns)
+    for name, outcome in outcomes.items():
+        if outcome.columns is not None:
+            offsets[name] = _section(builder, name, outcome.columns)
     offsets["world"] = _world(builder, level)
     offsets["strings"] = _strings(builder, strings.texts)
-    notes = {"templates": cut.note} if len(level.templates) else {}
-    offsets["passes"] = _passes(builder, sections, notes)
-    if cut.omissions:
-        offsets["omissions"] = _omissions(builder, cut.omissions)
+    offsets["passes"] = _passes(builder, outcomes)
+    omissions = [omission for outcome in outcomes.values() for omission in outcome.omissions]
+    if omissions:
+        offsets["omissions"] = _omissions(builder, omissions)
     offsets["settings"] = _table(
         builder, "Settings",
         game=builder.CreateString(level.game), engine=builder.CreateString(settings.engine),
@@ -143,14 +149,6 @@ def _inputs(builder: flatbuffers.Builder, level: Level) -> int:
     return _offsets(builder, [_table(builder, "Input", path=path, sha256=_vector(builder, digest))])
 
 
-WHY_NOT = {
-    "templates": "the level lists no template",
-    "things": "no thing is placed",
-    "cogs": "no COG is placed",
-}
-"""Why a section is absent."""
-
-
 def _omissions(builder: flatbuffers.Builder, omissions: Sequence[Omission]) -> int:
     return _offsets(
         builder,
@@ -165,13 +163,12 @@ def _omissions(builder: flatbuffers.Builder, omissions: Sequence[Omission]) -> i
     )  # fmt: skip
 
 
-def _passes(builder: flatbuffers.Builder, sections: Mapping[str, Columns | None], notes: Mapping[str, str]) -> int:
+def _passes(builder: flatbuffers.Builder, outcomes: Mapping[str, Outcome]) -> int:
     passes = []
-    for name, columns in sections.items():
-        fields: dict[str, int] = {"name": builder.CreateString(name), "ran": columns is not None}
-        note = notes.get(name) or (WHY_NOT[name] if columns is None else None)
-        if note is not None:
-            fields["note"] = builder.CreateString(note)
+    for name, outcome in outcomes.items():
+        fields: dict[str, int] = {"name": builder.CreateString(name), "ran": outcome.columns is not None}
+        if outcome.note:
+            fields["note"] = builder.CreateString(outcome.note)
         passes.append(_table(builder, "Pass", **fields))
     return _offsets(builder, passes)
 

@@ -74,8 +74,8 @@ def read_level(member: Member, settings: Settings, library: Library | None = Non
     `library` is what its run reads files from; without one the bases of the settings are opened anew.
     """
     game = game_of(member, settings.game)
-    resources = (library or Library(settings.base)).resources_of(member)
     read = read_library if member.extension == LIBRARY_EXTENSION else read_jkl
+    resources = (library or Library(settings.base)).resources_of(member)
     return Level(read(member.read(), game, strict_grammar=settings.strict_grammar), resources)
 
 

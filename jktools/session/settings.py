@@ -46,7 +46,5 @@ class Settings:
     ignores: tuple[Ignore, ...] = ()
     base: tuple[str, ...] = ()
     """Folders and packs with the game's own files, in the order of the search."""
-    cut_anyway: bool = False
-    """Compile without the templates that nothing is known to reach, though not all COGs are at hand to tell."""
     strict_grammar: bool = False
     """Read every record with the Lark grammar: slow, and the same result."""
