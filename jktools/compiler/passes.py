@@ -7,8 +7,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 from jktools.compiler import sections
-from jktools.compiler.errors import PassError
 from jktools.compiler.cut import Omission
+from jktools.compiler.errors import PassError
 from jktools.compiler.sections import Columns, Cut, NotNeeded, Strings
 from jktools.compiler.settings import CompileSettings
 from jktools.facts import LevelFacts

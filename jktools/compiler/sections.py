@@ -114,7 +114,7 @@ def templates(facts: LevelFacts, strings: Strings, settings: CompileSettings) ->
     if not len(kept):
         return NotNeeded(chosen.note if len(level.templates) else "the level lists no template")
     table = level.document.templates
-    columns = {
+    columns: Columns = {
         "source": kept,
         "name": strings.indices(table.names[i] for i in kept),
         "parent": strings.indices(table.parents[i] for i in kept),

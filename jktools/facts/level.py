@@ -66,7 +66,7 @@ class LevelFacts:
     @cached_property
     def reach(self) -> Reach:
         """The templates and files that the level can reach in play."""
-        return reach(self.level)
+        return reach(self.level, lambda name: self.scripts.get(name) or self._script(name))
 
     @cached_property
     def movers(self) -> list[Mover]:

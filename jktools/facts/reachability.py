@@ -12,18 +12,18 @@ a script uses in place of a template is not followed.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import NamedTuple
 
+from jktools.facts.script import ScriptFacts
 from jktools.model import Cog, Level
 from jktools.model.resources import Kind
 from jktools.model.templates import NONE, Resolved
 from jktools.source import InputError
 from jktools.syntax.assets.reading import ASSET_EXTENSIONS, read_asset
-from jktools.syntax.cog import Script, read_script
-from jktools.syntax.cog.nodes import String, Symbol
+from jktools.syntax.cog.nodes import String
 from jktools.syntax.template.parameters import Refers
 
 ENGINE_TEMPLATES = ("walkplayer", "+ssparks_saber", "+ssparks_blood", "+ssparks_wall", "+twinkle", "+backpack")
@@ -39,8 +39,6 @@ _FILES: Mapping[str, Kind] = MappingProxyType(
     }
 )  # fmt: skip
 """Kinds of file by the type of a script's symbol."""
-
-_NO_VALUE = ("message",)
 
 
 class Unread(NamedTuple):
@@ -71,9 +69,13 @@ class Reach:
         return held.dropped is None and str(held.owner.name).lower() in self.templates
 
 
-def reach(level: Level) -> Reach:
+ScriptOf = Callable[[str], "ScriptFacts | None"]
+"""A script by its name; None for one that is not at hand."""
+
+
+def reach(level: Level, script_of: ScriptOf) -> Reach:
     """Follow every way from what is placed. Files are read from the level's resources, each once."""
-    search = _Search(level)
+    search = _Search(level, script_of)
     search.run()
     return Reach(
         MappingProxyType(search.templates),
@@ -83,12 +85,12 @@ def reach(level: Level) -> Reach:
 
 
 class _Search:
-    def __init__(self, level: Level) -> None:
-        self.level = level
+    def __init__(self, level: Level, script_of: ScriptOf) -> None:
+        self.level, self._script_of = level, script_of
         self.templates: dict[str, str] = {}
         self.files: dict[Kind, dict[str, str]] = {kind: {} for kind in Kind}
         self.unread: list[Unread] = []
-        self.scripts: dict[str, Script | None] = {}
+        self.scripts: dict[str, ScriptFacts | None] = {}
         self._pending: deque[Resolved | tuple[Kind, str]] = deque()
 
     def run(self) -> None:
@@ -176,13 +178,13 @@ class _Search:
     # ---- scripts
 
     def _script(self, name: str) -> None:
-        script = self._read(name)
-        if script is None:
+        facts = self._read(name)
+        if facts is None:
             return
-        for symbol in script.header.symbols:
+        for symbol in facts.script.header.symbols:
             if symbol.default is not None:
-                self._value(symbol, symbol.default, f"default of {symbol.name.key} in {name}")
-        for word in script.code.words:
+                self._value(symbol.type, symbol.default, f"default of {symbol.name.key} in {name}")
+        for word in facts.script.code.words:
             if isinstance(word, String):
                 self._template(word.value, f'"{word.value}" in the code of {name}')
                 self._named(word.value, name)
@@ -193,39 +195,24 @@ class _Search:
         if kind is not None and kind is not Kind.LEVEL:
             self._reach(kind, text, f"named in the code of {script}")
 
-    def _read(self, name: str) -> Script | None:
+    def _read(self, name: str) -> ScriptFacts | None:
+        """A script that runs: at hand, and taken by the engine."""
         key = name.lower()
         if key not in self.scripts:
-            self.scripts[key] = self._found(name)
+            found = self._script_of(key)
+            if found is None:
+                self.unread.append(Unread(name, "not found"))
+            self.scripts[key] = None if found is None or found.script.rejected else found
         return self.scripts[key]
 
-    def _found(self, name: str) -> Script | None:
-        found = self.level.resources.find(Kind.COG, name)
-        if found is None:
-            self.unread.append(Unread(name, "not found"))
-            return None
-        try:
-            script = read_script(self.level.resources.read(found), self.level.game)
-        except InputError as error:
-            self.unread.append(Unread(name, str(error)))
-            return None
-        # One that the engine refuses never runs, so that it reaches nothing.
-        return None if script.rejected else script
-
     def _values(self, cog: Cog) -> None:
-        script = self._read(cog.name)
-        if script is not None:
-            for symbol, value in bound(script.header.symbols, cog.values):
-                self._value(symbol, value, f"{symbol.name.key} of {cog.title}")
+        facts = self._read(cog.name)
+        if facts is not None:
+            for slot, value in zip(facts.program.valued, cog.values, strict=False):
+                self._value(slot.type, value, f"{slot.name} of {cog.title}")
 
-    def _value(self, symbol: Symbol, value: str, why: str) -> None:
-        if symbol.type == "template":
+    def _value(self, type_: str, value: str, why: str) -> None:
+        if type_ == "template":
             self._template(value, why)
-        elif symbol.type in _FILES:
-            self._reach(_FILES[symbol.type], value, why)
-
-
-def bound(symbols: Sequence[Symbol], values: Sequence[str]) -> Iterator[tuple[Symbol, str]]:
-    """The values of a placed COG with the symbols that they go to: in order, past locals and messages."""
-    wanted = [symbol for symbol in symbols if not symbol.local and symbol.type not in _NO_VALUE]
-    return iter(zip(wanted, values, strict=False))
+        elif type_ in _FILES:
+            self._reach(_FILES[type_], value, why)

@@ -108,7 +108,7 @@ def build(
     """
     if accuracy not in ACCURACIES:
         raise ValueError(f"accuracy is {accuracy!r}, but can be {' or '.join(ACCURACIES)}")
-    return compile_level(level, CompileSettings(engine, accuracy, cut_anyway))
+    return compile_level(level, CompileSettings(engine, accuracy, cut_anyway=cut_anyway))
 
 
 def mesh(level: Level) -> SectorMesh:
