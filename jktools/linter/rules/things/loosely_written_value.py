@@ -12,7 +12,7 @@ from jktools.model.templates import Resolved, Setting
 from jktools.syntax.template.values import ValueKind, scan, well_formed
 
 
-@rule("JK414", "loosely-written-value", severity=Severity.WARNING, since="0.2.0")
+@rule("JK414", "loosely-written-value", severity=Severity.WARNING, since="0.1.0")
 def loosely_written_value(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a number, flags or vector of a parameter with text that the engine does not read.
 

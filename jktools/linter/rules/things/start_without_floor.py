@@ -12,7 +12,7 @@ from jktools.linter.rules.things.no_player_start import PLAYER
 from jktools.model import Level
 
 
-@rule("JK420", "start-without-floor", severity=Severity.WARNING, since="0.2.0")
+@rule("JK420", "start-without-floor", severity=Severity.WARNING, since="0.1.0")
 def start_without_floor(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a player start straight below which there is no surface that players stand on.
 

@@ -16,7 +16,7 @@ LEAST_START = 3
 """Letters of the only parameter that begins like a short word, as `pup` of `puppet`."""
 
 
-@rule("JK410", "unknown-parameter", severity=Severity.WARNING, since="0.2.0")
+@rule("JK410", "unknown-parameter", severity=Severity.WARNING, since="0.1.0")
 def unknown_parameter(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a parameter of a template or thing whose key the engine does not know.
 
