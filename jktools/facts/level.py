@@ -9,6 +9,7 @@ from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.movers import Mover, movers
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.script import ScriptFacts
+from jktools.facts.standing import Carriers
 from jktools.geometry import (
     Alignment,
     Convexity,
@@ -67,6 +68,11 @@ class LevelFacts:
     def reach(self) -> Reach:
         """The templates and files that the level can reach in play."""
         return reach(self.level, lambda name: self.scripts.get(name) or self._script(name))
+
+    @cached_property
+    def carriers(self) -> Carriers:
+        """The things that bodies can stand on."""
+        return Carriers(self.level)
 
     @cached_property
     def movers(self) -> list[Mover]:

@@ -29,7 +29,7 @@ def start_without_floor(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         0: 0 0x5 0x4 4 3 1 -1 0 4 0,0 1,1 2,2 3,3 1 1 1 1
     """
     for thing in bodies(level):
-        found = below(facts.collision, thing) if thing.resolved.type == PLAYER else None
+        found = below(facts.collision, thing, facts.carriers) if thing.resolved.type == PLAYER else None
         if found is None or found.is_floor:
             continue
         surface = None if found.surface is None else level.surfaces[found.surface]
