@@ -84,6 +84,12 @@ def test_the_json_fits_its_schema(capsys: pytest.CaptureFixture[str], path: str,
         assert [i["reason"] for i in report["ignored"]] == ["not_for_this", "unresolved", "not_for_this"]
 
 
+def test_whether_the_level_reaches_it_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert "\n  reached: thing 2 (crate) is placed\n" in out(capsys, "rooms.jkl", "crate")
+    assert json.loads(out(capsys, "rooms.jkl", "crate", "--json"))["reached"] == "thing 2 (crate) is placed"
+    assert json.loads(out(capsys, "rooms.jkl", "2", "--json"))["reached"] is None
+
+
 def test_without_a_name_the_templates_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
     assert out(capsys, "x.tpl").splitlines() == [
         "0  base  <- none  weapon", "1  bolt  <- base  weapon", "2  lamp  <- bolt  cog", "3  mine  <- bolt  explosion",
