@@ -127,7 +127,7 @@ def _verb(verb: VerbSummary) -> str:
         words += "; sleeps"
     if verb.sight is not None:
         often = ", ".join(_often(run) for run in verb.runs)
-        words += f"; sight ({verb.sight}): {often}" if often else f"; sight ({verb.sight})"
+        words += f"; sight ({verb.sight}): at most {often}" if often else f"; sight ({verb.sight})"
     return words
 
 

@@ -30,8 +30,8 @@ startup:
     SetPulse(0.25);
     call opened;
 activate:
-    for (i = 0; i < 3; i = i + 1)
-        if (HasLOS(door, door)) NoSuchVerb(i);
+    if (HasLOS(door, door) || HasLOS(door, door))
+        NoSuchVerb(i);
     return;
 pulse:
     Sleep(1);
@@ -63,7 +63,7 @@ SHOWN = """p.gob!cog/door.cog: script for game jk, flags 0x240 (local, no sync)
     opened -> pulse (goto)
   verbs (4):
     setpulse: 1 call, line 15
-    haslos: 1 call, line 19; sight (ray): 3 a run of startup, 3 a run of activate
+    haslos: 2 calls, line 18, 18; sight (ray): at most 2 a run of startup, 2 a run of activate
     nosuchverb: 1 call, line 19; no verb of this game
     sleep: 1 call, line 22; sleeps
 p.gob!cog/broken.cog: script for game jk, flags 0x0
