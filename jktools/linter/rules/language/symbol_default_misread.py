@@ -50,7 +50,7 @@ def symbol_default_misread(script: Script, facts: ScriptFacts) -> Iterator[Findi
         real = symbol.type in REAL
         found = (_REAL if real else _WHOLE).match(value)
         taken = found[0] if found else ""
-        if taken != value:
+        if taken != value or not value:
             hexadecimal = _HEX.fullmatch(value)
             yield Finding(
                 facts.label(symbol.name),
