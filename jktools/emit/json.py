@@ -69,7 +69,7 @@ def pack(container: Container) -> str:
 
 
 def dump(value: dict[str, Any]) -> str:
-    """A report as JSON text."""
+    """JSON, indented, with a line break at the end."""
     return msgspec.json.format(msgspec.json.encode(value), indent=2).decode() + "\n"
 
 
