@@ -6,8 +6,8 @@ from functools import cached_property
 
 from jktools import geometry
 from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.movers import Mover, movers
 from jktools.facts.script import ScriptFacts
-from jktools.facts.templates import template_types, thing_types
 from jktools.geometry import (
     Alignment,
     Convexity,
@@ -20,6 +20,7 @@ from jktools.geometry import (
     SectorMesh,
     Turns,
 )
+from jktools.geometry.collision import Collision
 from jktools.geometry.validity import Int32
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
@@ -57,6 +58,16 @@ class LevelFacts:
         return SectorMesh.from_level(self.level)
 
     @cached_property
+    def collision(self) -> Collision:
+        """The sectors as bodies meet them."""
+        return Collision(self.level)
+
+    @cached_property
+    def movers(self) -> list[Mover]:
+        """The placed things with frames of their own."""
+        return movers(self.level)
+
+    @cached_property
     def overlaps(self) -> Overlaps:
         """The pairs of sectors that overlap."""
         return geometry.sector_overlaps(self.mesh)
@@ -90,16 +101,6 @@ class LevelFacts:
     def sector_vertices(self) -> list[tuple[frozenset[int], frozenset[int]]]:
         """For each sector, the vertices that it lists and those that its surfaces use; empty where it is not sound."""
         return geometry.sector_vertices(self.level)
-
-    @cached_property
-    def template_types(self) -> tuple[str | None, ...]:
-        """Each template's type, up its parents as written; None where that leaves the level."""
-        return template_types(self.level)
-
-    @cached_property
-    def thing_types(self) -> tuple[str | None, ...]:
-        """Each thing's type, its template's unless it has its own; None where the template is unknown."""
-        return thing_types(self.level, self.template_types)
 
     @cached_property
     def scripts(self) -> dict[str, ScriptFacts | None]:

@@ -12,10 +12,11 @@ from typing import Any, NamedTuple, get_args, get_type_hints
 import msgspec
 
 from jktools.diagnostics import Code, Diagnostic, Label, Severity, Subject
-from jktools.facts import LevelFacts, ScriptFacts
+from jktools.facts import AssetFacts, LevelFacts, ScriptFacts
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
 from jktools.model.cog.verbs import Verb
+from jktools.syntax.assets.asset import Asset
 from jktools.syntax.cog import Script
 
 
@@ -43,12 +44,12 @@ class Options(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
 
-Document = Level | Script
+Document = Level | Script | Asset
 """What rules look at."""
 
-ANY_DOCUMENT: tuple[type[Document], ...] = (Level, Script)
+ANY_DOCUMENT: tuple[type[Document], ...] = (Level, Script, Asset)
 
-Facts = LevelFacts | ScriptFacts
+Facts = LevelFacts | ScriptFacts | AssetFacts
 """What can be known about it."""
 
 Check = Callable[..., Iterable[Finding | Diagnostic]]
@@ -60,6 +61,8 @@ NO_VERBS: Mapping[str, Verb] = MappingProxyType({})
 
 def facts_of(document: Document, own_verbs: Mapping[str, Verb] = NO_VERBS) -> Facts:
     """Facts of the kind that rules on such a document take; `own_verbs` are those of the user's own build."""
+    if isinstance(document, Asset):
+        return AssetFacts(document)
     vocabulary = Vocabulary(document.game, own_verbs)
     return ScriptFacts(document, vocabulary) if isinstance(document, Script) else LevelFacts(document, vocabulary)
 
@@ -135,7 +138,8 @@ def rule(
 ) -> Callable[[Check], Rule]:
     """Make a rule of a function `check(level, facts)`, or `check(script, facts)`, that yields findings.
 
-    `looks_at` is the kind of document that it takes: `Level` with `LevelFacts`, or `Script` with `ScriptFacts`. With
+    `looks_at` is the kind of document that it takes: `Level` with `LevelFacts`, `Script` with `ScriptFacts`, or `Asset`
+    (or one kind of them) with `AssetFacts`. With
     `options` the function takes an instance of them as its third argument.
     """
 

@@ -1,4 +1,4 @@
-"""Runs rules over one document: a level or a script."""
+"""Runs rules over one document: a level, a script or an asset."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from jktools.diagnostics import MALFORMED_SUPPRESSION, UNUSED_SUPPRESSION, Diagn
 from jktools.diagnostics.suppression import LINES, apply, suppressions
 from jktools.linter.registry import UnknownRuleError, find_rule, rules
 from jktools.linter.rule import RULE_FAILED, Document, Facts, Options, Rule, facts_of
+from jktools.syntax.assets.asset import Asset
 from jktools.syntax.cog import Script
 
 
@@ -17,7 +18,7 @@ def lint(
     facts: Facts | None = None,
     options: Mapping[str, Options] | None = None,
 ) -> list[Diagnostic]:
-    """Run rules (those that are on, when none are chosen) over a level or a script and sort what they find.
+    """Run rules (those that are on, when none are chosen) over a level, a script or an asset and sort what they find.
 
     Of the rules, those run that look at such a document. `options` holds, by code, what differs from a rule's
     defaults. A rule that raises becomes a finding JK901 about jktools itself, and the others still run.
@@ -32,6 +33,8 @@ def lint(
 
 def _suppressed(document: Document, found: list[Diagnostic], running: Sequence[Rule]) -> list[Diagnostic]:
     """Hide what the document's comments hide, and tell of comments that do not work; rules choose what is told."""
+    if isinstance(document, Asset) and document.is_binary:
+        return found
     styles = document.comment_styles if isinstance(document, Script) else (LINES,)
     comments, faults = suppressions(document.source, styles)
     ran = [each.code for each in running]

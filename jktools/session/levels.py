@@ -12,20 +12,24 @@ from jktools.model.resources import Library
 from jktools.session.settings import Game, Settings
 from jktools.source import PACK_EXTENSIONS, Container, Folder, InputError, Member, Target, Zip, enter, resolve
 from jktools.source.container import PACK_SEPARATOR
-from jktools.syntax.jkl import read
+from jktools.syntax.jkl import read as read_jkl
+from jktools.syntax.jkl import read_library
 
 LEVEL_EXTENSION = "jkl"
 SCRIPT_EXTENSION = "cog"
+LIBRARY_EXTENSION = "tpl"
+"""A template library of an editor: read as a level that holds templates only."""
 
-_KINDS = {LEVEL_EXTENSION: "a .jkl level", SCRIPT_EXTENSION: "a .cog script"}
+LEVELS = (LEVEL_EXTENSION, LIBRARY_EXTENSION)
+"""What is read as a level."""
+
+_KINDS = {LEVEL_EXTENSION: "a .jkl level", LIBRARY_EXTENSION: "a .tpl library", SCRIPT_EXTENSION: "a .cog script"}
 
 Accuracy = Literal["balanced", "exact"]
 ACCURACIES: tuple[Accuracy, ...] = get_args(Accuracy)
 
 
-def discover(
-    typed: str, problems: list[str] | None = None, extensions: Collection[str] = (LEVEL_EXTENSION,)
-) -> list[Member]:
+def discover(typed: str, problems: list[str] | None = None, extensions: Collection[str] = LEVELS) -> list[Member]:
     """The levels that a path names, in the container's order; packs in folders and in zips are entered.
 
     Files of other `extensions` are found the same way. A pack inside that cannot be opened is told in `problems`, one
@@ -37,8 +41,8 @@ def discover(
     if problems is None and inside:
         raise InputError(inside[0])
     if not levels and not inside:
-        kinds = " or ".join(_KINDS[extension] for extension in extensions)
-        raise InputError(f"nothing to read in {typed}: expected {kinds}, or a folder or pack that holds one")
+        kinds = ", ".join(_KINDS[extension] for extension in extensions)
+        raise InputError(f"nothing to read in {typed}: expected {kinds} or a folder or pack that holds one")
     if problems is not None:
         problems += inside
     return levels
@@ -70,6 +74,7 @@ def read_level(member: Member, settings: Settings, library: Library | None = Non
     `library` is what its run reads files from; without one the bases of the settings are opened anew.
     """
     game = game_of(member, settings.game)
+    read = read_library if member.extension == LIBRARY_EXTENSION else read_jkl
     resources = (library or Library(settings.base)).resources_of(member)
     return Level(read(member.read(), game, strict_grammar=settings.strict_grammar), resources)
 
@@ -81,7 +86,8 @@ def load(path: str, base: Sequence[str] = (), game: Game | None = None) -> Level
     `Level.resources`. Raises InputError when a path cannot be opened, or `path` is no level or holds several. What is
     wrong inside the level is in `Level.diagnostics`.
     """
-    levels = discover(path)
+    library = path.lower().endswith(f".{LIBRARY_EXTENSION}")
+    levels = discover(path, extensions=(LIBRARY_EXTENSION if library else LEVEL_EXTENSION,))
     if len(levels) > 1:
         raise InputError(f"{path} holds {len(levels)} levels: name one of {listed(m.path for m in levels)}")
     level = read_level(levels[0], Settings(game, base=tuple(base)))

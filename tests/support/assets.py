@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from jktools.source import Source
+from jktools.syntax.assets.asset import Asset
+from jktools.syntax.assets.reading import read_asset
 from tests.support.levels import CORPUS
 
 BLOCK = """
@@ -72,6 +75,12 @@ HIERARCHY NODES 2
 1: 0x0 0x1 1 0 -1 -1 0 0 0 2 0 90 0 .5 0 0 arm
 """
 """The second node turns its mesh by a yaw of 90 degrees about a pivot and lifts it."""
+
+
+def asset_of(lines: Sequence[str]) -> Asset:
+    """An asset from its text, of which the first line is a comment with the file's name."""
+    name = lines[0].removeprefix("# ")
+    return read_asset(Source(name, "\n".join([*lines, ""]).encode("latin-1")), name.rpartition(".")[2])
 
 
 def corpus_assets(*extensions: str) -> Iterator[tuple[str, bytes]]:

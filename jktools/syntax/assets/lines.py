@@ -23,10 +23,13 @@ _LABEL = re.compile(r"[ \t\r\f\v]*[-+]?[0-9]+:")
 class LineReader:
     """Reads one file from its first line to its last."""
 
-    def __init__(self, source: Source, game: str, effect: str, *, strict: bool = False) -> None:
+    def __init__(
+        self, source: Source, game: str, effect: str, *, strict: bool = False, skips_blank: bool = False
+    ) -> None:
         """Start before the first line; `effect` says in messages what the engine does with a bad file.
 
-        `strict` leaves every record to the grammar.
+        `strict` leaves every record to the grammar. `skips_blank` is for files that the engine reads as fields: it
+        passes over lines of blanks, as it does not where it reads with scanf.
         """
         self.source = source
         self.lines = LogicalLines(source, game)
@@ -34,7 +37,7 @@ class LineReader:
         self.strict = strict
         self.at = 0
         self.faults = FaultList(source)
-        self._told_blank = False
+        self._told_blank = skips_blank
         for line in self.lines.cut_lines():
             self.fault(
                 faults.MALFORMED_ASSET, line,
@@ -73,6 +76,14 @@ class LineReader:
         self.skip_blank()
         return self.has(record, self.at)
 
+    def next(self) -> int | None:
+        """Pass over blank lines and give the one at hand, passing over it too; None at the end."""
+        self.skip_blank()
+        if self.done:
+            return None
+        self.at += 1
+        return self.at - 1
+
     def seek(self, record: Record, stops: Collection[Record] = ()) -> bool:
         """Move to the next line of a record unless one of `stops` comes first; else stay."""
         for line in range(self.at, len(self.lines)):
@@ -89,6 +100,13 @@ class LineReader:
         first = self.at
         while not self.done and _LABEL.match(self.text()):
             self.at += 1
+        return range(first, self.at)
+
+    def labelled_one(self) -> range:
+        """Move behind the line at hand if it starts with a label, and give it."""
+        self.skip_blank()
+        first = self.at
+        self.at += not self.done and _LABEL.match(self.text()) is not None
         return range(first, self.at)
 
     # ---- records

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from jktools.diagnostics import Diagnostic, Severity
-from jktools.source import Source
+from jktools.diagnostics import Diagnostic
 from jktools.syntax.arrays import Bool, Float32, Int32, UInt32
+from jktools.syntax.assets.asset import Asset
 from jktools.syntax.lines import LogicalLines
 
 NONE = -1
@@ -122,11 +122,10 @@ class Nodes:
             pending += reversed(children)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Model:
-    """A 3DO file. What could not be read is left out, and told in `diagnostics`."""
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Model(Asset):
+    """A 3DO file."""
 
-    source: Source
     lines: LogicalLines
     materials: tuple[str, ...]
     material_lines: Int32
@@ -139,13 +138,7 @@ class Model:
     """
     geosets: tuple[Geoset, ...]
     nodes: Nodes
-    diagnostics: tuple[Diagnostic, ...]
 
     def with_diagnostics(self, found: tuple[Diagnostic, ...]) -> Model:
         """The same model, with what was found in it."""
         return replace(self, diagnostics=found)
-
-    @property
-    def rejected(self) -> bool:
-        """Whether the engine refuses the file, or reads beyond its data."""
-        return any(d.severity is Severity.ERROR for d in self.diagnostics)

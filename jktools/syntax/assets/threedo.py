@@ -14,6 +14,7 @@ from jktools.source import Source
 from jktools.syntax.arrays import Float32, Int32
 from jktools.syntax.assets import faults
 from jktools.syntax.assets import threedo_lines as records
+from jktools.syntax.assets.asset import Reference
 from jktools.syntax.assets.lines import LineReader
 from jktools.syntax.assets.model import Faces, Geoset, Mesh, Model, Nodes
 from jktools.syntax.assets.threedo_checks import check_limits, check_references
@@ -36,16 +37,20 @@ def read_model(source: Source, game: str = "jk", *, strict_grammar: bool = False
     read = _Reader(lines)
     read.file()
     lines.at_end("the model")
+    material_lines = read.materials.lines
     model = Model(
-        source,
-        lines.lines,
-        read.materials.names,
-        read.materials.lines,
-        read.radius,
-        read.insert_offset,
-        tuple(read.geosets),
-        read.nodes if read.nodes is not None else read.hierarchy_of(range(0)),
-        (),
+        source=source,
+        references=tuple(
+            Reference("mat", name, lines.lines.span(line))
+            for name, line in zip(read.materials.names, material_lines.tolist(), strict=True)
+        ),
+        lines=lines.lines,
+        materials=read.materials.names,
+        material_lines=material_lines,
+        radius=read.radius,
+        insert_offset=read.insert_offset,
+        geosets=tuple(read.geosets),
+        nodes=read.nodes if read.nodes is not None else read.hierarchy_of(range(0)),
     )
     check_limits(lines, model)
     check_references(lines, model)

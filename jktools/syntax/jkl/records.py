@@ -16,10 +16,12 @@ from jktools.syntax.records import Record as Record
 from jktools.syntax.records import fields, fields_of
 from jktools.syntax.records import keywords as keywords
 from jktools.syntax.records import prefix as prefix
+from jktools.syntax.template.records import TEMPLATE as TEMPLATE
+from jktools.syntax.template.records import THING as THING
 
 START_RULES = (
     "section", "count", "header_line", "sound", "entry", "material", "vertex", "texture_vertex", "adjoin", "surface",
-    "normal", "sector_line", "sector_vertex", "cog", "template", "thing", "arch_line",
+    "normal", "sector_line", "sector_vertex", "cog", "arch_line",
     "light_jed", "light_sed", "light_rgb", "layer_members",
 )  # fmt: skip
 
@@ -74,18 +76,6 @@ SURFACE = _record(
 NORMAL = _record("normal", "normal", _LABEL + fields(Kind.FLOAT, "x, y, z"), scanned=True)
 SECTOR_VERTEX = _record("sector_vertex", "sector vertex", _LABEL + fields(Kind.INT, "vertex"), scanned=True)
 COG = _record("cog", "cog", _LABEL + fields(Kind.WORD, "script"), more="*")
-TEMPLATE = _record("template", "template", fields(Kind.WORD, "name, parent"), more="*")
-THING = _record(
-    "thing", "thing",
-    (
-        *_LABEL,
-        *fields(Kind.WORD, "template, name"),
-        *fields(Kind.FLOAT, "x, y, z, pitch, yaw, roll"),
-        Field("sector", Kind.INT),
-    ),
-    more="*",
-)  # fmt: skip
-
 _PLACE = fields(Kind.FLOAT, "x, y, z")
 _FLAGS_AND_LAYER = (Field("flags", Kind.HEX), Field("layer", Kind.INT))
 LIGHT_JED = _record(
