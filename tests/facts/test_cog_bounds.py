@@ -28,7 +28,7 @@ def test_corpus_scripts_keep_to_what_the_analysis_says(name: str, data: bytes) -
         assert violations(program_of(data, game), seed) == []
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(st.integers(0, 2**32))
 def test_random_scripts_keep_to_what_the_analysis_says(seed: int) -> None:
     text = Writer(seed).script()
