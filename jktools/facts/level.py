@@ -26,6 +26,7 @@ from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
 from jktools.model.resources import Kind
 from jktools.source import InputError
+from jktools.syntax.assets.material import read_material
 from jktools.syntax.cog import read_script
 
 
@@ -36,6 +37,7 @@ class LevelFacts:
         """Know nothing yet; `vocabulary` has the verbs of the user's own build, for the level's scripts."""
         self.level = level
         self.vocabulary = vocabulary or Vocabulary(level.game)
+        self._cels: dict[int, int | None] = {}
 
     @cached_property
     def convexity(self) -> Convexity:
@@ -131,3 +133,21 @@ class LevelFacts:
             found.append(InstanceFacts(cog, script, -1 if refused else number))
             number += not refused
         return tuple(found)
+
+    def cel_count(self, material: int) -> int | None:
+        """How many cels a material of the level's list has; None where its file is not at hand or is broken."""
+        if material not in self._cels:
+            self._cels[material] = self._count_cels(material)
+        return self._cels[material]
+
+    def _count_cels(self, material: int) -> int | None:
+        if not 0 <= material < len(self.level.materials):
+            return None
+        found = self.level.resources.find(Kind.MATERIAL, self.level.materials[material])
+        if found is None:
+            return None
+        try:
+            read = read_material(self.level.resources.read(found))
+        except InputError:
+            return None
+        return len(read.cels) if read.type >= 0 and not read.diagnostics else None
