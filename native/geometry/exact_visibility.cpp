@@ -43,7 +43,7 @@ struct Half {
 
 class ExactFlow {
 public:
-    ExactFlow(const vis::Finished& known, std::size_t start)
+    ExactFlow(const vis::Known& known, std::size_t start)
         : known_(known), portals_(known.portals.portals), start_(start), words_(known.might.words()) {
         // The precision's error is 2^-49 of the size.
         tiny_ = ldexp(Number(known.portals.precision.error), 49 - 170);
@@ -51,11 +51,9 @@ public:
     }
 
     bool run(vis::Bits::Word* row, vis::Stop& stop) {
-        std::copy(known_.might.row(start_), known_.might.row(start_) + words_, row);
-        const std::vector<vis::Bits::Word> all(row, row + words_);
-        std::vector<vis::Bits::Word> seen(words_);
-        std::vector<Link> chain{link(start_, written(start_), written(start_), all, {})};
-        for (std::size_t tried = 0; !chain.empty();) {
+        std::vector<Link> chain{link(start_, written(start_), written(start_), known_.might_see(start_), {})};
+        std::size_t tried = 0;
+        while (!chain.empty()) {
             Link& last = chain.back();
             if (last.next == last.end) {
                 chain.pop_back();
@@ -64,23 +62,27 @@ public:
             const auto target = static_cast<std::size_t>(last.next++);
             const auto holds = [&](const Link& l) { return l.portal == target; };
             if (!bit(last.might, target) || std::any_of(chain.begin(), chain.end(), holds)) continue;
-            if (++tried > vis::kMostChains || stop.asked()) return false;
+            ++tried;
+            if (stop.asked()) return false;
             std::vector<vis::Bits::Word> might(words_);
             bool more = false;
             for (std::size_t w = 0; w < words_; ++w) {
                 might[w] = last.might[w] & (known_.done[target] ? known_.seen : known_.might).row(target)[w];
-                more |= (might[w] & ~seen[w]) != 0;
+                more |= (might[w] & ~row[w]) != 0;
             }
-            if (!more && bit(seen, target)) continue;
+            if (!more && row[target / 64] >> target % 64 & 1) continue;
             Polygon source = last.source, pass = written(target);
             if (!pass_through(last, chain.size() == 1, target, source, pass)) continue;
-            seen[target / 64] |= vis::Bits::Word{1} << target % 64;
+            row[target / 64] |= vis::Bits::Word{1} << target % 64;
             if (!more) continue;
+            if (tried >= vis::kMostChains) {
+                for (std::size_t w = 0; w < words_; ++w) row[w] |= might[w];
+                continue;
+            }
             std::vector<Half> reach = parting(source, pass);
             chain.push_back(link(target, std::move(source), std::move(pass), std::move(might), std::move(reach)));
         }
-        std::copy(seen.begin(), seen.end(), row);
-        return true;
+        return tried < vis::kMostChains;
     }
 
 private:
@@ -212,7 +214,7 @@ private:
         return *greatest < *least;
     }
 
-    const vis::Finished& known_;
+    const vis::Known& known_;
     const std::vector<vis::Portal>& portals_;
     const std::size_t start_, words_;
     Number tiny_, farthest_bend_;
@@ -220,7 +222,7 @@ private:
 
 }  // namespace
 
-bool exact_flow(const vis::Finished& known, std::size_t p, vis::Bits::Word* row, vis::Stop& stop) {
+bool exact_flow(const vis::Known& known, std::size_t p, vis::Bits::Word* row, vis::Stop& stop) {
     return ExactFlow(known, p).run(row, stop);
 }
 

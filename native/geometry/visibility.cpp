@@ -126,7 +126,7 @@ Visibility visibility(const Viewer& viewer, std::span<const Index> leads_to, Tie
     std::vector<std::uint8_t> done(count);
     const std::vector<std::size_t> order = by_size(might, count);
     std::atomic<std::size_t> given_up{0};
-    const vis::Finished known{portals, might, seen, done};
+    const vis::Known known{portals, might, seen, done};
     for (std::size_t first = 0; first < count; first += kBatch) {
         const std::size_t end = std::min(count, first + kBatch);
         const bool finished = crew.run(end - first, [&](std::size_t i, vis::Stop& stop) {

@@ -10,14 +10,12 @@ constexpr std::size_t kPatience = 1024;
 
 class Flow {
 public:
-    Flow(const Finished& known, std::size_t start, Bits::Word* row, Stop& stop)
+    Flow(const Known& known, std::size_t start, Bits::Word* row, Stop& stop)
         : known_(known), portals_(known.portals.portals), precision_(known.portals.precision),
           words_(known.might.words()), start_(start), row_(row), stop_(stop), on_chain_(portals_.size()) {}
 
     bool run() {
-        might_.resize(words_);
-        take_might();
-        std::fill(row_, row_ + words_, 0);
+        might_ = known_.might_see(start_);
         push(start_, portals_[start_].winding, {});
         std::size_t chains = 0;
         while (depth_) {
@@ -28,13 +26,10 @@ public:
             }
             const auto target = static_cast<std::size_t>(frame.next++);
             if (!bit(might(depth_ - 1), target) || on_chain_[target]) continue;
-            if (++chains > kMostChains || (chains % kPatience == 0 && stop_.asked())) {
-                std::copy(might(0), might(0) + words_, row_);
-                return false;
-            }
-            visit(target);
+            if (++chains % kPatience == 0 && stop_.asked()) return false;
+            visit(target, chains < kMostChains);
         }
-        return true;
+        return chains < kMostChains;
     }
 
 private:
@@ -48,20 +43,6 @@ private:
     static bool bit(const Bits::Word* words, std::size_t i) { return words[i / 64] >> i % 64 & 1; }
     Bits::Word* might(std::size_t depth) { return might_.data() + depth * words_; }
 
-    // What the flood from the start reaches, but for what is known not to be seen the other way.
-    void take_might() {
-        std::copy(known_.might.row(start_), known_.might.row(start_) + words_, might(0));
-        const Index twin = portals_[start_].twin;
-        if (twin < 0) return;
-        for (std::size_t q = 0; q < portals_.size(); ++q) {
-            const Index back = portals_[q].twin;
-            if (!bit(might(0), q) || back < 0) continue;
-            const auto b = static_cast<std::size_t>(back);
-            const Bits& theirs = known_.done[b] ? known_.seen : known_.might;
-            if (!theirs.get(b, static_cast<std::size_t>(twin))) might(0)[q / 64] &= ~(Bits::Word{1} << q % 64);
-        }
-    }
-
     // What the chain can still reach beyond the target; false when all of it is seen already.
     bool narrow(std::size_t target) {
         const Bits::Word* beyond = known_.done[target] ? known_.seen.row(target) : known_.might.row(target);
@@ -73,7 +54,8 @@ private:
         return news != 0;
     }
 
-    void visit(std::size_t target) {
+    // Follows the chain to the target; without leave to go deeper, all that it can still reach counts as seen.
+    void visit(std::size_t target, bool deeper) {
         if (might_.size() < (depth_ + 1) * words_) might_.resize((depth_ + 1) * words_);
         const bool more = narrow(target);
         if (!more && bit(row_, target)) return;
@@ -92,7 +74,8 @@ private:
                 if (!clip(source, half, precision_)) return;
         }
         row_[target / 64] |= Bits::Word{1} << target % 64;
-        if (more) push(target, std::move(source), std::move(pass));
+        if (more && deeper) return push(target, std::move(source), std::move(pass));
+        for (std::size_t w = 0; more && w < words_; ++w) row_[w] |= might(depth_)[w];
     }
 
     void push(std::size_t portal, Winding source, Winding pass) {
@@ -113,7 +96,7 @@ private:
         on_chain_[frames_[depth_].portal] = 0;
     }
 
-    const Finished& known_;
+    const Known& known_;
     const std::vector<Portal>& portals_;
     const Precision precision_;
     const std::size_t words_, start_;
@@ -128,6 +111,18 @@ private:
 
 }  // namespace
 
-bool flow(const Finished& known, std::size_t p, Bits::Word* row, Stop& stop) { return Flow(known, p, row, stop).run(); }
+std::vector<Bits::Word> Known::might_see(std::size_t p) const {
+    std::vector<Bits::Word> out(might.row(p), might.row(p) + might.words());
+    const Index twin = portals.portals[p].twin;
+    for (std::size_t q = 0; twin >= 0 && q < portals.portals.size(); ++q) {
+        const Index back = portals.portals[q].twin;
+        if (back < 0 || !done[static_cast<std::size_t>(back)]) continue;
+        if (!seen.get(static_cast<std::size_t>(back), static_cast<std::size_t>(twin)))
+            out[q / 64] &= ~(Bits::Word{1} << q % 64);
+    }
+    return out;
+}
+
+bool flow(const Known& known, std::size_t p, Bits::Word* row, Stop& stop) { return Flow(known, p, row, stop).run(); }
 
 }  // namespace jk::vis

@@ -11,12 +11,15 @@
 
 namespace jk::vis {
 
-// What is known of the portals that were finished before: their rows in `seen` are final.
-struct Finished {
+// What is known before a portal is worked on.
+struct Known {
     const Portals& portals;
     const Bits& might;  // a superset of what each portal sees, from the flood
-    const Bits& seen;
+    const Bits& seen;   // what the portals that are done see
     const std::vector<std::uint8_t>& done;
+
+    // What portal p might see: what the flood reaches, but for what is known not to be seen the other way.
+    std::vector<Bits::Word> might_see(std::size_t p) const;
 };
 
 // Tells the flow to stop: asked now and then.
@@ -26,10 +29,11 @@ public:
     virtual bool asked() = 0;
 };
 
-// Chains tried for one portal before the flow gives up on it and takes the flood's answer, which is safe.
-inline constexpr std::size_t kMostChains = std::size_t{1} << 20;
+// Chains tried for one portal. Beyond them no chain is made longer: all that the flood reaches from where it then ends
+// counts as seen. Where thousands of chains cross one open room, a longer search would bring next to nothing.
+inline constexpr std::size_t kMostChains = std::size_t{1} << 13;
 
-// Answers what portal p sees into `row`. False when it gave up (or was stopped).
-bool flow(const Finished& known, std::size_t p, Bits::Word* row, Stop& stop);
+// Answers what portal p sees into `row`, zero before. False when some chains were cut short, or it was stopped.
+bool flow(const Known& known, std::size_t p, Bits::Word* row, Stop& stop);
 
 }  // namespace jk::vis

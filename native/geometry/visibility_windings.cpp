@@ -11,14 +11,16 @@ namespace {
 constexpr std::size_t kMostPoints = 32;
 // Holds the length of a unit vector against its rounding.
 constexpr double kUnitSlack = 1 + 0x1p-20;
+// Beyond these a square loses digits.
+constexpr double kLeastSquare = 0x1p-900;
 // A tilt greater than this would cost more than the half-space brings.
 constexpr double kMostTilt = 0x1p-10;
 
 bool unit(Point& n) {
-    const double length = std::sqrt(dot(n, n));
-    if (!(length > 0) || !std::isfinite(length)) return false;
-    n = (1 / length) * n;
-    return std::abs(dot(n, n) - 1) < 0x1p-30;
+    const double squared = dot(n, n);
+    if (!(squared > kLeastSquare) || !(squared < 1 / kLeastSquare)) return false;
+    n = (1 / std::sqrt(squared)) * n;
+    return true;
 }
 
 double distance(const Point& p, const Point& a, const Point& b) {
@@ -69,6 +71,7 @@ void through_edges(const Winding& source, const Winding& pass, double side, doub
                    HalfSpaces& out) {
     const Winding &edges = side < 0 ? source : pass, &other = side < 0 ? pass : source;
     const std::size_t count = edges.points.size();
+    const double clear = 4 * (precision.error + source.radius + pass.radius);
     for (std::size_t i = 0; i < count; ++i) {
         const Point &v = edges.points[i], &w = edges.points[i + 1 == count ? 0 : i + 1];
         const Point along = turn * (w - v);
@@ -79,14 +82,12 @@ void through_edges(const Winding& source, const Winding& pass, double side, doub
             touched = reach;
             n = cross(touched, along);
         }
-        Point axis = along, aside = touched;
-        if (!unit(n) || !unit(axis)) continue;
-        aside = aside - dot(aside, axis) * axis;
-        const double lever = std::sqrt(dot(aside, aside));
-        const double tilt = 4 * (precision.error + source.radius + pass.radius) / lever;
-        if (!(tilt < kMostTilt)) continue;
-        n = n + (-side * tilt / lever) * aside;
-        if (!unit(n)) continue;
+        // Turned about the edge by as much as parts the other winding from it: n stays a unit vector but for the square
+        // of the turn.
+        const Point aside = touched - dot(touched, along) / dot(along, along) * along;
+        const double squared = dot(aside, aside), lift = clear / squared;
+        if (!(lift * lift * squared < kMostTilt * kMostTilt) || !unit(n)) continue;
+        n = n + (-side * lift) * aside;
         HalfSpace half{n, v, 0};
         if (parts(source, pass, precision, half)) out.push_back(half);
     }
