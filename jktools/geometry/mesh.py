@@ -182,7 +182,7 @@ class SectorMesh:
 
         A pair that is not visible is certain, whatever shape the sectors have; one that is visible may not be.
         `fast` floods through portals that face each other, `balanced` clips along each chain of portals in float64
-        with a bound of the rounding, `exact` does that with 237 bits. A segment that slips past the edge of a sector
+        with a bound of the rounding, `exact` does that with 106 bits. A segment that slips past the edge of a sector
         by a gap between surfaces stays, by those rules, in the last sector that it entered, and counts as that
         sector's wherever it goes.
 
@@ -196,8 +196,8 @@ class SectorMesh:
         if len(wrong):
             raise ValueError(f"surface {wrong[0]} is out of bounds: there are {len(leads_to)}")
         leads_to[chosen] = self._behind[chosen]
-        rows, portals, given_up = native_visibility(self._viewer, leads_to, accuracy, threads, progress)
-        return VisibleSectors(rows.reshape(len(self._known), -1), portals, given_up)
+        rows, portals, cut_short = native_visibility(self._viewer, leads_to, accuracy, threads, progress)
+        return VisibleSectors(rows.reshape(len(self._known), -1), portals, cut_short)
 
     def doubts(self, origins: npt.ArrayLike, sectors: npt.ArrayLike, targets: npt.ArrayLike) -> tuple[int, int]:
         """Count the sectors, and the whole queries, that `balanced` must search completely: for benchmarks."""

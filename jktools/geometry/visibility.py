@@ -23,8 +23,8 @@ class VisibleSectors(NamedTuple):
     """(n, (n + 7) // 8): bit b % 8 of byte b // 8 of row a says that sector b is potentially visible from a."""
     portals: int
     """See-through surfaces, what may come to be see-through included."""
-    given_up: int
-    """Portals that clipping took too long for; for them the flood of `fast` answers, which is looser."""
+    cut_short: int
+    """Portals with more than 8,192 chains behind them: the rest was flooded as `fast` does, which is looser."""
 
     @property
     def matrix(self) -> Bool:

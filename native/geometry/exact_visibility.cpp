@@ -1,18 +1,18 @@
 #include "geometry/exact_visibility.hpp"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <tuple>
 #include <vector>
 
+#include "geometry/double_double.hpp"
+
 namespace jk {
 namespace {
 
-namespace mp = boost::multiprecision;
-using Number = mp::number<mp::cpp_bin_float<237, mp::digit_base_2>, mp::et_off>;
+using Number = DoubleDouble;
 using Vector = std::array<Number, 3>;
 
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -46,7 +46,7 @@ public:
     ExactFlow(const vis::Known& known, std::size_t start)
         : known_(known), portals_(known.portals.portals), start_(start), words_(known.might.words()) {
         // The precision's error is 2^-49 of the size.
-        tiny_ = ldexp(Number(known.portals.precision.error), 49 - 170);
+        tiny_ = std::ldexp(known.portals.precision.error, 49 - 90);
         farthest_bend_ = known.portals.precision.farthest_bend;
     }
 
@@ -123,7 +123,7 @@ private:
     // The side of a portal's plane, 1 for the inner one, as far as its triangles lean from it.
     Half side(const vis::Portal& portal, const Polygon& polygon, int sense) const {
         Half half{vector(portal.normal), vector(portal.corner), 0};
-        for (Number& x : half.normal) x *= sense;
+        for (Number& x : half.normal) x = sense * x;
         Number farthest = 0;
         for (const Vector& p : polygon.points) farthest = std::max(farthest, length(minus(p, half.at)));
         half.least = -(portal.bend + portal.lean * (farthest + polygon.spread)) - tiny_;
@@ -164,7 +164,7 @@ private:
         }
         left.points.push_back(leave);
         left.points.push_back(enter);
-        left.spread = polygon.spread + bend + ldexp(tiny_, -10);
+        left.spread = polygon.spread + bend + tiny_;
         polygon = std::move(left);
     }
 
@@ -185,11 +185,28 @@ private:
             for (std::size_t i = 0; i < edges->points.size(); ++i)
                 for (const Vector& point : others->points)
                     for (const int turn : {1, -1}) {
-                        const Vector& v = edges->points[i];
-                        auto half = touching(v, edges->points[(i + 1) % edges->points.size()], point, sense * clear, turn);
+                        const Vector &v = edges->points[i], &w = edges->points[(i + 1) % edges->points.size()];
+                        if (!plausible(*edges, *others, sense * turn, v, w, point)) continue;
+                        auto half = touching(v, w, point, sense * clear, turn);
                         if (half && parts(source, pass, *half)) found.push_back(*half);
                     }
         return found;
+    }
+
+    // Whether the plane can part the two at all, in doubles: only what is far on the wrong side is refused.
+    bool plausible(const Polygon& edges, const Polygon& others, int sense, const Vector& v, const Vector& w,
+                   const Vector& point) const {
+        const vis::Point at = rounded(v), n = vis::cross(rounded(point) - at, rounded(w) - at);
+        const double slack = 0x1p-16 * static_cast<double>(farthest_bend_) * std::sqrt(vis::dot(n, n));
+        const auto wrong = [&](int side) {
+            return [&, side](const Vector& x) { return side * vis::dot(n, rounded(x) - at) < -slack; };
+        };
+        return std::none_of(edges.points.begin(), edges.points.end(), wrong(-sense)) &&
+               std::none_of(others.points.begin(), others.points.end(), wrong(sense));
+    }
+
+    static vis::Point rounded(const Vector& v) {
+        return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
     }
 
     // The plane through an edge and a point, turned about the edge so that the point is ahead of it by `clear`.
@@ -200,7 +217,7 @@ private:
         if (size <= tiny_ * edge) return std::nullopt;
         const Vector aside = plus(reach, -times(reach, along) / (edge * edge), along);
         const Number lever = length(aside);
-        for (Number& x : normal) x *= turn / size;
+        for (Number& x : normal) x = turn * (x / size);
         return Half{plus(normal, clear / (lever * lever), aside), v, 0};
     }
 

@@ -77,16 +77,50 @@ std::vector<std::size_t> by_size(const Bits& might, std::size_t portals) {
     return order;
 }
 
+// The portals that have a twin, as have all that can follow them: every chain from them can be gone backwards.
+std::vector<std::uint8_t> reversible_ones(const vis::Portals& portals, const Bits& follow) {
+    const std::size_t count = portals.portals.size();
+    std::vector<std::uint8_t> out(count);
+    for (std::size_t p = 0; p < count; ++p) {
+        out[p] = portals.portals[p].twin >= 0;
+        for (std::size_t q = 0; out[p] && q < count; ++q) out[p] = portals.portals[q].twin >= 0 || !follow.get(p, q);
+    }
+    return out;
+}
+
 // Keeps what is seen both ways: a segment that crosses p and then q crosses their twins the other way.
-void keep_mutual(const vis::Portals& portals, Bits& seen) {
+void keep_mutual(const vis::Portals& portals, const std::vector<std::uint8_t>& reversible, Bits& seen) {
     const Bits before = seen;
     for (std::size_t p = 0; p < portals.portals.size(); ++p)
-        for (std::size_t q = 0; q < portals.portals.size(); ++q) {
-            const Index back = portals.portals[q].twin, twin = portals.portals[p].twin;
-            if (back >= 0 && twin >= 0 && before.get(p, q) &&
-                !before.get(static_cast<std::size_t>(back), static_cast<std::size_t>(twin)))
+        for (std::size_t q = 0; reversible[p] && q < portals.portals.size(); ++q)
+            if (before.get(p, q) && !before.get(static_cast<std::size_t>(portals.portals[q].twin),
+                                                static_cast<std::size_t>(portals.portals[p].twin)))
                 seen.clear(p, q);
-        }
+}
+
+using Flow = bool (*)(const vis::Known&, std::size_t, Bits::Word*, vis::Stop&);
+
+// Replaces what each portal sees by what the flow leaves of it, and counts the portals whose chains were cut short.
+// False when the work was stopped.
+bool tighten(const vis::Portals& portals, const std::vector<std::uint8_t>& reversible, Flow flow, Crew& crew, Bits& seen, std::size_t& cut_short) {
+    const std::size_t count = portals.portals.size();
+    const Bits might = seen;
+    seen = Bits(count, count);
+    std::vector<std::uint8_t> done(count);
+    const std::vector<std::size_t> order = by_size(might, count);
+    std::atomic<std::size_t> short_ones{0};
+    const vis::Known known{portals, might, seen, done, reversible};
+    for (std::size_t first = 0; first < count; first += kBatch) {
+        const std::size_t end = std::min(count, first + kBatch);
+        const bool finished = crew.run(end - first, [&](std::size_t i, vis::Stop& stop) {
+            if (!flow(known, order[first + i], seen.row(order[first + i]), stop)) ++short_ones;
+        });
+        if (!finished) return false;
+        for (std::size_t i = first; i < end; ++i) done[order[i]] = 1;
+    }
+    keep_mutual(portals, reversible, seen);
+    cut_short = short_ones;
+    return true;
 }
 
 Visibility by_sector(const vis::Portals& portals, const Bits& seen) {
@@ -117,30 +151,17 @@ Visibility visibility(const Viewer& viewer, std::span<const Index> leads_to, Tie
         if (leads_to[s] < kBlocks || leads_to[s] >= static_cast<Index>(mesh.sectors())) refuse("leads_to", s, leads_to[s]);
     const vis::Portals portals(mesh, viewer.fans(), leads_to);
     const std::size_t count = portals.portals.size();
-    Crew crew(threads, watch, tier == Tier::kFast ? count : 2 * count);
-    Bits might(count, count);
-    if (!crew.run(count, [&](std::size_t p, vis::Stop&) { portals.flood(p, might); })) return {};
-    keep_mutual(portals, might);
-    if (tier == Tier::kFast) return by_sector(portals, might);
+    Crew crew(threads, watch, count * (1 + static_cast<std::size_t>(tier)));
     Bits seen(count, count);
-    std::vector<std::uint8_t> done(count);
-    const std::vector<std::size_t> order = by_size(might, count);
-    std::atomic<std::size_t> given_up{0};
-    const vis::Known known{portals, might, seen, done};
-    for (std::size_t first = 0; first < count; first += kBatch) {
-        const std::size_t end = std::min(count, first + kBatch);
-        const bool finished = crew.run(end - first, [&](std::size_t i, vis::Stop& stop) {
-            const std::size_t p = order[first + i];
-            const bool whole = tier == Tier::kExact ? exact_flow(known, p, seen.row(p), stop)
-                                                    : flow(known, p, seen.row(p), stop);
-            given_up += !whole;
-        });
-        if (!finished) return {};
-        for (std::size_t i = first; i < end; ++i) done[order[i]] = 1;
-    }
-    keep_mutual(portals, seen);
+    if (!crew.run(count, [&](std::size_t p, vis::Stop&) { portals.flood(p, seen); })) return {};
+    const std::vector<std::uint8_t> reversible = reversible_ones(portals, seen);
+    keep_mutual(portals, reversible, seen);
+    std::size_t cut_short = 0;
+    // Each tier starts from what the one before it leaves.
+    if (tier != Tier::kFast && !tighten(portals, reversible, vis::flow, crew, seen, cut_short)) return {};
+    if (tier == Tier::kExact && !tighten(portals, reversible, exact_flow, crew, seen, cut_short)) return {};
     Visibility out = by_sector(portals, seen);
-    out.given_up = given_up;
+    out.cut_short = cut_short;
     return out;
 }
 

@@ -113,11 +113,10 @@ private:
 
 std::vector<Bits::Word> Known::might_see(std::size_t p) const {
     std::vector<Bits::Word> out(might.row(p), might.row(p) + might.words());
-    const Index twin = portals.portals[p].twin;
-    for (std::size_t q = 0; twin >= 0 && q < portals.portals.size(); ++q) {
-        const Index back = portals.portals[q].twin;
-        if (back < 0 || !done[static_cast<std::size_t>(back)]) continue;
-        if (!seen.get(static_cast<std::size_t>(back), static_cast<std::size_t>(twin)))
+    for (std::size_t q = 0; reversible[p] && q < portals.portals.size(); ++q) {
+        if (!(out[q / 64] >> q % 64 & 1)) continue;
+        const auto back = static_cast<std::size_t>(portals.portals[q].twin);
+        if (done[back] && !seen.get(back, static_cast<std::size_t>(portals.portals[p].twin)))
             out[q / 64] &= ~(Bits::Word{1} << q % 64);
     }
     return out;

@@ -17,6 +17,7 @@ struct Known {
     const Bits& might;  // a superset of what each portal sees, from the flood
     const Bits& seen;   // what the portals that are done see
     const std::vector<std::uint8_t>& done;
+    const std::vector<std::uint8_t>& reversible;  // portals for which, and for all that follow them, there is a twin
 
     // What portal p might see: what the flood reaches, but for what is known not to be seen the other way.
     std::vector<Bits::Word> might_see(std::size_t p) const;

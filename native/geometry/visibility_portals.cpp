@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "geometry/volume.hpp"
 
@@ -65,6 +66,17 @@ bool is_flat(const Portal& portal, const Fans::Triangle& t) {
                        [&](const Point& p) { return volume(t.a, t.b, t.c, coordinates(p)).sign == 0; });
 }
 
+// Whether two portals have the same points, or those of one are among the other's.
+bool are_twins(const Portal& p, const Portal& q, bool same) {
+    const auto& few = p.winding.points.size() < q.winding.points.size() ? p.winding.points : q.winding.points;
+    const auto& many = p.winding.points.size() < q.winding.points.size() ? q.winding.points : p.winding.points;
+    if (same && few.size() != many.size()) return false;
+    return std::all_of(few.begin(), few.end(), [&](const Point& x) {
+        return std::any_of(many.begin(), many.end(),
+                           [&](const Point& y) { return x.x == y.x && x.y == y.y && x.z == y.z; });
+    });
+}
+
 bool touch(const Portal& p, const Portal& q) { return p.box.touches(q.box); }
 
 }  // namespace
@@ -116,36 +128,36 @@ Portals::Portals(const SectorMesh& mesh, const Fans& fans, std::span<const Index
     find_twins();
 }
 
-// Twins have the same points. Their planes are made each other's reverse and equally loose, so that what can be
-// crossed one way can be crossed the other way.
+// A surface and its mirror have the same corners, or one has more of them along its edges. The portals of both then take
+// the points of the one that has more, planes that are each other's reverse, and the looser bounds, so that what can
+// be crossed one way can be crossed the other way.
 void Portals::find_twins() {
-    using Key = std::vector<std::array<double, 3>>;
-    std::map<std::pair<std::pair<Index, Index>, Key>, Index> open;
-    const auto key = [](const Portal& p) {
-        Key key;
-        for (const Point& v : p.winding.points) key.push_back({v.x, v.y, v.z});
-        std::sort(key.begin(), key.end());
-        return key;
-    };
+    std::map<std::pair<Index, Index>, std::vector<std::size_t>> between;
     for (std::size_t i = 0; i < portals.size(); ++i) {
-        Portal& portal = portals[i];
-        portal.twin = -1;
-        const auto found = open.find({{portal.to, portal.from}, key(portal)});
-        if (found == open.end()) {
-            open[{{portal.from, portal.to}, key(portal)}] = static_cast<Index>(i);
-            continue;
-        }
-        Portal& twin = portals[static_cast<std::size_t>(found->second)];
-        const double apart = length(twin.normal + portal.normal);
-        portal.lean = twin.lean = std::max(twin.lean, portal.lean + apart * (1 + 0x1p-20) + 0x1p-50);
-        double bend = std::max(twin.bend, portal.bend);
-        portal.normal = -1 * twin.normal, portal.corner = twin.corner;
-        for (const Point& p : portal.winding.points)
-            bend = std::max(bend, std::abs(portal.height(p)) + precision.error);
-        portal.bend = twin.bend = bend;
-        portal.twin = found->second, twin.twin = static_cast<Index>(i);
-        open.erase(found);
+        portals[i].twin = -1;
+        between[{portals[i].from, portals[i].to}].push_back(i);
     }
+    for (const auto& [ends, those] : between) {
+        const auto back = between.find({ends.second, ends.first});
+        if (ends.first > ends.second || back == between.end()) continue;
+        for (const bool same : {true, false})
+            for (const std::size_t p : those)
+                for (const std::size_t q : back->second)
+                    if (p != q && portals[p].twin < 0 && portals[q].twin < 0 && are_twins(portals[p], portals[q], same))
+                        pair_up(p, q);
+    }
+}
+
+void Portals::pair_up(std::size_t first, std::size_t second) {
+    const bool larger = portals[first].winding.points.size() >= portals[second].winding.points.size();
+    const std::size_t p = larger ? first : second, q = larger ? second : first;
+    Portal &model = portals[p], &other = portals[q];
+    const double apart = length(model.normal + other.normal);
+    model.lean = other.lean = std::max(model.lean, other.lean + apart * (1 + 0x1p-20) + 0x1p-50);
+    other.normal = -1 * model.normal, other.corner = model.corner, other.bend = model.bend;
+    other.winding = model.winding, other.box = model.box, other.flat = model.flat;
+    std::reverse(other.winding.points.begin(), other.winding.points.end());
+    model.twin = static_cast<Index>(q), other.twin = static_cast<Index>(p);
 }
 
 // Whether a point of the other portal lies on the side of the plane, 1 for its inner side, -1 for behind it.

@@ -22,7 +22,7 @@ struct Portal {
     Point normal, corner;  // the normal points into the sector that the portal leaves
     double lean, bend;
     Index from, to, surface;
-    Index twin;  // the portal of the same points that leads back, -1 where there is none
+    Index twin;  // the portal on the other side, that leads back, -1 where there is none
     bool flat;   // all points in one plane, exactly
     Box box;
 
@@ -74,6 +74,7 @@ struct Portals {
 
 private:
     void find_twins();
+    void pair_up(std::size_t first, std::size_t second);
     bool behind(const Portal& plane, const Portal& other, double side) const;
 };
 

@@ -56,7 +56,7 @@ auto visible_sectors(const Viewer& viewer, Array<Index> leads_to, const char* ac
                            [&](std::size_t done, std::size_t all) { return listener.hear(done, all); });
     }
     listener.rethrow();
-    return std::make_tuple(hand_over(std::move(found.rows)), found.portals, found.given_up);
+    return std::make_tuple(hand_over(std::move(found.rows)), found.portals, found.cut_short);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ auto visible_sectors(const Viewer& viewer, Array<Index> leads_to, const char* ac
 void open_visibility(nb::module_& m) {
     m.def("visibility", &visible_sectors, nb::arg("viewer"), nb::arg("leads_to"), nb::arg("accuracy"),
           nb::arg("threads"), nb::arg("progress").none(),
-          "Answer (rows, portals, given_up): which sectors can be seen from which.\n\n"
+          "Answer (rows, portals, cut_short): which sectors can be seen from which.\n\n"
           "rows is uint8, (n + 7) // 8 bytes a sector, the least bit first. leads_to is (surfaces,) int32, as the viewer\n"
           "takes it. progress(done, all) may raise to stop the work. Raises ValueError naming the surface that leads\n"
           "to no sector.");
