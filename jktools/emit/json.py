@@ -18,7 +18,7 @@ VERSION = 1
 
 def findings(diagnostics: Sequence[Diagnostic], files: int) -> str:
     """The report of a lint run; its shape is docs/lint.schema.json."""
-    return _dump(
+    return dump(
         {
             "version": VERSION,
             "tool": {"name": "jktools", "version": __version__},
@@ -40,7 +40,7 @@ def compiled(level: CompiledLevel) -> str:
         }
         for name, section in level.sections.items()
     }
-    return _dump(
+    return dump(
         {
             "format": level.format,
             "level": {
@@ -59,7 +59,7 @@ def compiled(level: CompiledLevel) -> str:
 
 def pack(container: Container) -> str:
     """What `pack list` says of a container, in its own order."""
-    return _dump(
+    return dump(
         {
             "version": VERSION,
             "path": container.path,
@@ -68,7 +68,8 @@ def pack(container: Container) -> str:
     )
 
 
-def _dump(value: dict[str, Any]) -> str:
+def dump(value: dict[str, Any]) -> str:
+    """JSON, indented, with a line break at the end."""
     return msgspec.json.format(msgspec.json.encode(value), indent=2).decode() + "\n"
 
 

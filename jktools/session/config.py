@@ -1,6 +1,7 @@
 """The configuration file: `jktools.toml`, or `[tool.jktools]` in `pyproject.toml`, found upward from the path.
 
 game = "jk"
+base = ["C:/JediKnight"]
 
 [lint]
 select = ["JK2", "JK301"]
@@ -22,6 +23,7 @@ reason = "the box is meant to be open to the north"
 
 from __future__ import annotations
 
+import os
 import re
 import tomllib
 from dataclasses import dataclass, field
@@ -63,6 +65,7 @@ class _Ignore(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     game: Game | None = None
+    base: list[str] = []
     lint: _Lint = _Lint()
     severity: dict[str, Literal["error", "warning", "info"]] = {}
     rules: dict[str, dict[str, Any]] = {}
@@ -119,6 +122,7 @@ def load_config(path: Path) -> Config:
 def _settings(file: _File, source: Source) -> Settings:
     return Settings(
         game=file.game,
+        base=tuple(os.path.join(Path(source.path).parent, path) for path in file.base),  # noqa: PTH118 (keeps a!b)
         select=tuple(file.lint.select),
         ignore=tuple(file.lint.ignore),
         severity=MappingProxyType({find_rule(c).code.id: Severity[s.upper()] for c, s in file.severity.items()}),

@@ -44,5 +44,7 @@ class Settings:
     options: Mapping[str, Options] = field(default_factory=lambda: MappingProxyType({}))
     """Options of rules that differ from their defaults, by code."""
     ignores: tuple[Ignore, ...] = ()
+    base: tuple[str, ...] = ()
+    """Folders and packs with the game's own files, in the order of the search."""
     strict_grammar: bool = False
     """Read every record with the Lark grammar: slow, and the same result."""

@@ -9,9 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools._native_text import decimals, read_fields  # noqa: TID251 (this package is the door)
-from jktools.syntax.jkl.document import Bool, Float32, Int32, UInt32
-from jktools.syntax.jkl.records import Kind, Record
+from jktools.syntax.arrays import Bool, Float32, Int32, UInt32
 from jktools.syntax.lines import LogicalLines
+from jktools.syntax.records import Kind, Record
 
 INT32_LEAST, INT32_MOST = -(2**31), 2**31 - 1
 UINT32_MOST = 2**32 - 1
