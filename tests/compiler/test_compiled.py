@@ -155,9 +155,7 @@ def test_columns_and_schema_say_the_same() -> None:
             column = columns[name]
             target = re.search(r'index_of: "([\w.]+)"', attributes)
             assert types[kind] == column.type, name
-            assert (target[1] if target else None) == (
-                column.index_of.removeprefix("geometry.") if column.index_of else None
-            ), name
+            assert (target[1] if target else None) == column.index_of, name
             assert ("or_none" in attributes) == column.or_none, name
     assert STRINGS == "strings"
 
