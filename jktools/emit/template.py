@@ -18,11 +18,17 @@ from jktools.syntax.template.values import ValueKind
 MOST_FRAMES = 3
 """Frames and debris written out in the text; JSON has them all."""
 
+MOST_ANCESTORS = 20
+"""Likewise."""
+
 
 def text(held: Resolved) -> Iterator[str]:
     """Lines for a terminal."""
     yield f"{title(held.owner)} of {held.owner.level.path}"
-    yield "  " + " <- ".join([*(_short(each.owner) for each in held.chain), _base(held)])
+    chain = [_short(each.owner) for each in held.chain]
+    if len(chain) > MOST_ANCESTORS:
+        chain = [*chain[: MOST_ANCESTORS // 2], f"... ({len(chain)})", *chain[-MOST_ANCESTORS // 2 :]]
+    yield "  " + " <- ".join([*chain, _base(held)])
     if held.dropped is not None:
         yield f"  the engine does not keep it: {held.dropped}"
     if held.leaves_level:
