@@ -55,6 +55,19 @@ class Kind(enum.Enum):
         """The kind of a file by the extension of its name, without the dot."""
         return next((kind for kind in cls if kind.extension == extension.lower()), None)
 
+    @classmethod
+    def placed(cls, name: str) -> Kind | None:
+        """The kind of a file of a mod by its whole name, when it lies where the engine looks for its kind."""
+        folder, _, base = canonical(name).rpartition("/")
+        kind = cls.of_extension(base.rpartition(".")[2])
+        if kind is None or base != _ONLY.get(kind, base):
+            return None
+        return kind if any(not own or f"/{folder}".endswith(f"/{own}") for own in kind.folders) else None
+
+
+_ONLY = {Kind.ITEMS: "items.dat", Kind.EPISODE: "episode.jk"}
+"""Kinds of which the engine reads one file only."""
+
 
 @dataclass(frozen=True, slots=True)
 class Found:
@@ -89,8 +102,9 @@ class Library:
         self._bytes = 0
 
     def resources_of(self, member: Member) -> Resources:
-        """The files as the engine finds them for a level: those beside it, then the bases."""
-        home = home_of(member, Kind.LEVEL.folders[0])
+        """The files as the engine finds them for a level, or another file of a mod: those beside it, then the bases."""
+        kind = Kind.of_extension(member.extension) or Kind.LEVEL
+        home = home_of(member, kind.folders)
         home = self._homes.setdefault(home.path, home)
         while len(self._homes) > 1 and next(iter(self._homes)) != home.path:  # levels come pack by pack
             self._homes.popitem(last=False)

@@ -9,19 +9,21 @@ from pathlib import Path, PurePosixPath
 
 from jktools.compiler import CompileError, compile_level
 from jktools.diagnostics import Diagnostic, Label
+from jktools.facts import AssetFacts
 from jktools.linter import Selection, lint, select
-from jktools.linter.rule import FILE_FAILED
+from jktools.linter.rule import FILE_FAILED, Document
 from jktools.model import Level
 from jktools.model.resources import Library
 from jktools.session.ignores import unused_ignores, with_settings
-from jktools.session.levels import LEVELS, SCRIPT_EXTENSION, discover, read_level
+from jktools.session.levels import LEVELS, SCRIPT_EXTENSION, discover, read_level, read_member_asset
 from jktools.session.scripts import bound_scripts, read_member_script
 from jktools.session.settings import Settings
 from jktools.session.write import write_atomically
 from jktools.source import InputError, Member, Source
 from jktools.source.container import PACK_SEPARATOR
 from jktools.source.filenames import fault_of
-from jktools.syntax.cog import Script
+from jktools.syntax.assets.asset import Asset
+from jktools.syntax.assets.reading import ASSET_EXTENSIONS
 
 TRACEBACK_VARIABLE = "JKTOOLS_TRACEBACK"
 """Set in the environment, a bug shows its traceback and ends the run."""
@@ -58,7 +60,7 @@ class Batch:
 
 
 def check(paths: Sequence[str], settings: Settings | None = None, progress: Progress = silent) -> Batch:
-    """Lint every level and script that the paths name, and the scripts that those levels bind, each once.
+    """Lint every level, script and asset that the paths name, and the scripts that those levels bind, each once.
 
     A path that cannot be read is told in `Batch.problems`, and the rest is linted all the same. Raises
     UnknownRuleError when the settings name a rule that does not exist, InputError when a base cannot be opened.
@@ -67,7 +69,7 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     rules = select(Selection(settings.select, settings.ignore))
     library = Library(settings.base)
     batch = Batch()
-    members = _members(paths, batch.problems, (*LEVELS, SCRIPT_EXTENSION))
+    members = _members(paths, batch.problems, (*LEVELS, SCRIPT_EXTENSION, *sorted(ASSET_EXTENSIONS)))
     known = {_identity(member) for member in members}
     used: set[int] = set()
     seen: list[str] = []
@@ -87,7 +89,8 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
         members += bound
         known.update(map(_identity, bound))
         batch.files += 1
-        found = lint(document, rules, options=settings.options)
+        facts = AssetFacts(document, library.resources_of(member)) if isinstance(document, Asset) else None
+        found = lint(document, rules, facts, settings.options)
         batch.diagnostics += with_settings(found, settings, used)
         seen.append(member.path)
     batch.diagnostics += unused_ignores(settings, used, seen, [r.code.id for r in rules])
@@ -95,7 +98,9 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
     return batch
 
 
-def _read(member: Member, settings: Settings, library: Library) -> Level | Script:
+def _read(member: Member, settings: Settings, library: Library) -> Document:
+    if member.extension in ASSET_EXTENSIONS:
+        return read_member_asset(member, settings)
     if member.extension == SCRIPT_EXTENSION:
         return read_member_script(member, settings)
     return read_level(member, settings, library)
