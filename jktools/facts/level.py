@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from jktools import geometry
+from jktools.facts.references import FileReference, file_references
 from jktools.geometry import (
     Alignment,
     Convexity,
@@ -27,6 +28,11 @@ class LevelFacts:
     def __init__(self, level: Level) -> None:
         """Know nothing yet."""
         self.level = level
+
+    @cached_property
+    def file_references(self) -> tuple[FileReference, ...]:
+        """The files that the level names."""
+        return tuple(file_references(self.level))
 
     @cached_property
     def convexity(self) -> Convexity:

@@ -12,8 +12,10 @@ from typing import TypeVar
 from jktools.source import InputError, Member, Source
 from jktools.source.container import canonical
 from jktools.source.roots import Root, home_of, open_roots
+from jktools.syntax.assets.asset import Asset
+from jktools.syntax.assets.material import Material
 from jktools.syntax.assets.model import Model
-from jktools.syntax.assets.threedo import read_model
+from jktools.syntax.assets.reading import ASSET_EXTENSIONS, read_asset
 
 MOST_CACHED = 2**26
 """Bytes of files whose contents are kept, as read or as parsed; parsed, they take a few times that."""
@@ -188,25 +190,35 @@ class Resources:
         self._library.keep(found.path, "source", len(source.data), source)
         return source
 
-    def model(self, name: str) -> Model | None:
-        """A model by its name, read; None when there is no such file or its bytes cannot be had.
+    def asset(self, kind: Kind, name: str) -> Asset | None:
+        """A file by its kind and name, read; None when there is none, its bytes cannot be had, or it is no asset.
 
-        What is wrong with it is in `Model.diagnostics`. The default model is not given: what the engine shows in place
-        of a model says nothing about the one that the base may hold.
+        What is wrong with it is in `Asset.diagnostics`. The default file is not given: what the engine takes in place
+        of a missing file says nothing about the one that the base may hold.
         """
-        found = self.find(Kind.MODEL, name)
-        if found is None:
+        found = self.find(kind, name)
+        if found is None or kind.extension not in ASSET_EXTENSIONS:
             return None
-        kept = self._library.recall(found.path, "model")
-        if isinstance(kept, Model):
+        kept = self._library.recall(found.path, "asset")
+        if isinstance(kept, Asset):
             return kept
         try:
             source = found.member.read()
         except InputError:
             return None
-        model = read_model(source)
-        self._library.keep(found.path, "model", len(source.data), model)
-        return model
+        asset = read_asset(source, kind.extension)
+        self._library.keep(found.path, "asset", len(source.data), asset)
+        return asset
+
+    def model(self, name: str) -> Model | None:
+        """A model by its name; see `asset`."""
+        model = self.asset(Kind.MODEL, name)
+        return model if isinstance(model, Model) else None
+
+    def material(self, name: str) -> Material | None:
+        """A material by its name; see `asset`."""
+        material = self.asset(Kind.MATERIAL, name)
+        return material if isinstance(material, Material) else None
 
     @cached_property
     def static(self) -> Found | None:
