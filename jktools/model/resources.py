@@ -172,6 +172,10 @@ class Resources:
         member = self.roots[0].find(name) if self._loose and self.roots else None
         return None if member is None else Found(kind, name, member, True, "")
 
+    def in_base(self, kind: Kind, name: str) -> bool:
+        """Whether a base has a file of that name, which one beside the level then replaces."""
+        return any(root.find(f"{folder}/{name}") is not None for root in self.roots[1:] for folder in kind.folders)
+
     def own_files(self, kinds: Iterable[Kind] = tuple(Kind)) -> Iterator[tuple[Kind, Member]]:
         """The files that come with the level, kind by kind, those in the engine's folders alone."""
         for kind in kinds:

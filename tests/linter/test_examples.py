@@ -15,7 +15,7 @@ from tests.support.scripts import script_of, whole
 WITHOUT_EXAMPLES = {
     "JK009", "JK010", "JK061", "JK062", "JK065", "JK802", "JK803", "JK804", "JK901", "JK902",
     "JK034", "JK036", "JK037", "JK039", "JK816", "JK817", "JK818", "JK819", "JK820", "JK822",
-    "JK110", "JK111", "JK112", "JK113", "JK140",
+    "JK110", "JK111", "JK112", "JK113", "JK140", "JK150", "JK151",
 }  # fmt: skip
 """Hundreds of faults, levels of nesting or records, binary files, models, files beside, a bug: tested elsewhere."""
 
