@@ -9,6 +9,7 @@ def misplaced_file() -> None:
     """Report a file in a pack that lies where the engine does not look for its kind.
 
     ## Why it matters
-    The engine finds a material in `mat` and `3do/mat` only, a sound in `sound` and `voice`, and so on. What lies elsewhere
+    The engine finds a material in `mat` and `3do/mat` only, a sound in `sound` and `voice`, and so on. What lies
+    elsewhere
     in a pack is never found. Off unless selected: packs carry pictures and notes of their makers, too.
     """
