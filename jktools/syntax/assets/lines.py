@@ -15,7 +15,7 @@ from jktools.syntax.assets.faultlist import FaultList
 from jktools.syntax.lines import BLANK, LogicalLines
 from jktools.syntax.misfit import misfit_of, quote
 from jktools.syntax.records import Record, keywords
-from jktools.syntax.rows import Rows
+from jktools.syntax.rows import Rows, well_formed
 
 _LABEL = re.compile(r"[ \t\r\f\v]*[-+]?[0-9]+:")
 
@@ -139,8 +139,10 @@ class LineReader:
         """Parse a line with the grammar; None, and a fault told, when the engine could not read it."""
         text = self.lines.text(line)
         if self.faults.full:
-            # A file of garbage: what is not told need not be explained, and the grammar takes its time.
-            self.faults.count()
+            # A file of garbage: what is not told need not be explained nor kept, and the grammar takes its time.
+            if not record.keyword and not well_formed(record, self.lines, line):
+                self.faults.count()
+                return None
             return record.salvage(text)
         title = record.title if subject is None else f"{subject.kind} {subject.index}"
         try:
