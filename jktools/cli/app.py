@@ -20,6 +20,7 @@ COMMANDS = {
     "build": "compile levels to binary files",
     "inspect": "show what a compiled level holds",
     "sight": "explain whether one point of a level sees another",
+    "template": "explain where a template's or thing's values come from",
     "pack": "list, extract and create GOB packs",
     "explain": "show a rule's documentation",
     "rules": "list the rules",

@@ -10,9 +10,12 @@ from jktools.cli.app import common, note, problem
 from jktools.cli.configured import configured, overridden
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
+from jktools.compiler import CHOICES, CompileSettings
 from jktools.emit.printable import printable
 from jktools.session import build_all
 from jktools.session.settings import Game
+
+_PASS = click.Choice(CHOICES)
 
 
 @click.command("build")
@@ -21,11 +24,17 @@ from jktools.session.settings import Game
     "-o", "--output", "out", type=click.Path(path_type=Path), required=True, metavar="OUT",
     help="A folder, or a .jklb file when there is one level.",
 )  # fmt: skip
+@click.option("--only", multiple=True, type=_PASS, metavar="PASS", help="Run this pass and those that it needs.")
+@click.option("--skip", multiple=True, type=_PASS, metavar="PASS", help="Do not run this pass.")
+@click.option("--keep-going", is_flag=True, help="Leave out the section of a pass that fails, and compile the rest.")
 @click.option("-q", "--quiet", is_flag=True, help="Do not list what was written.")
 @common
 def command(
     paths: tuple[str, ...],
     out: Path,
+    only: tuple[str, ...],
+    skip: tuple[str, ...],
+    keep_going: bool,
     quiet: bool,
     game: Game | None,
     base: tuple[str, ...],
@@ -35,7 +44,8 @@ def command(
     """Compile every level found to OUT/<name>.jklb.
 
     Levels of the same name from several packs go to OUT/<pack>/<name>.jklb. A JKL without GEORESOURCE, as
-    static.jkl, is skipped with a note.
+    static.jkl, is skipped with a note. A pass computes one section of the file; `jktools inspect` tells which ran and
+    why another did not.
 
     Exit status: 0 all written, 1 a level cannot be compiled, 2 bad usage or a PATH that cannot be read, 3 a bug in
     jktools.
@@ -44,7 +54,8 @@ def command(
     _, found = next(configured(paths, config))
     settings = overridden(found.settings, game, base, strict_grammar)
     with progress("compiling") as report:
-        built = build_all(paths, out, settings, report)
+        compiling = CompileSettings(only=frozenset(only), skip=frozenset(skip), keep_going=keep_going)
+        built = build_all(paths, out, settings, report, compiling)
     if not quiet:
         for level, target, size in built.written:
             click.echo(printable(f"{level} -> {target} ({size} bytes)"))

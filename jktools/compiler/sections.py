@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from jktools.compiler.columns import RESOURCES
-from jktools.model import Level
+from jktools.compiler.settings import CompileSettings
+from jktools.facts import LevelFacts
 from jktools.syntax.jkl import Parameters
 
 Columns = Mapping[str, npt.NDArray[Any]]
 Rows = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class NotNeeded:
+    """Nothing in the scene calls for a section."""
+
+    reason: str
 
 
 class Strings:
@@ -32,13 +41,15 @@ class Strings:
         return np.array([self._index.setdefault(text, len(self._index)) for text in texts], np.uint32)
 
 
-def resources(level: Level, strings: Strings) -> Columns:
+def resources(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns:
     """The plain lists."""
+    level = facts.level
     return {key: strings.indices(level.names(key)) for key in RESOURCES}
 
 
-def geometry(level: Level, strings: Strings) -> Columns:
+def geometry(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns:
     """Vertices, adjoins, surfaces and sectors as written, with the references between them."""
+    level = facts.level
     adjoins, surfaces, sectors = level.document.adjoins, level.document.surfaces, level.document.sectors
     sounds = iter(strings.indices(sound for sound in sectors.sound if sound is not None))
     return {
@@ -81,12 +92,13 @@ def geometry(level: Level, strings: Strings) -> Columns:
     }
 
 
-def templates(level: Level, strings: Strings) -> Columns | None:
-    """Templates as written, without those that the engine drops; None when there are none."""
+def templates(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+    """Templates as written, without those that the engine drops."""
+    level = facts.level
     table = level.document.templates
     kept = np.array([t.index for t in level.templates if t.dropped is None], np.intp)
     if not len(kept):
-        return None
+        return NotNeeded("the level lists no template")
     return {
         "source": kept,
         "name": strings.indices(table.names[i] for i in kept),
@@ -95,12 +107,13 @@ def templates(level: Level, strings: Strings) -> Columns | None:
     }
 
 
-def things(level: Level, strings: Strings) -> Columns | None:
-    """Things as placed, without those that the engine drops; None when there are none."""
+def things(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+    """Things as placed, without those that the engine drops."""
+    level = facts.level
     table = level.document.things
     kept = np.array([t.index for t in level.things if t.dropped is None], np.intp)
     if not len(kept):
-        return None
+        return NotNeeded("no thing is placed")
     return {
         "source": kept,
         "number": table.number[kept],
@@ -114,11 +127,12 @@ def things(level: Level, strings: Strings) -> Columns | None:
     }
 
 
-def cogs(level: Level, strings: Strings) -> Columns | None:
-    """Placed COGs with their values; None when there are none."""
+def cogs(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+    """Placed COGs with their values."""
+    level = facts.level
     table = level.document.cogs
     if not len(table):
-        return None
+        return NotNeeded("no COG is placed")
     return {
         "source": np.arange(len(table)),
         "script": strings.indices(table.scripts),

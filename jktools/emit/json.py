@@ -25,7 +25,7 @@ def findings(
     """
     names = ("kind", "own", "base", "missing", "unused")
     files_named = {} if stats is None else {"stats": [dict(zip(names, row, strict=True)) for row in stats]}
-    return _dump(
+    return dump(
         {
             "version": VERSION,
             "tool": {"name": "jktools", "version": __version__},
@@ -48,7 +48,7 @@ def compiled(level: CompiledLevel) -> str:
         }
         for name, section in level.sections.items()
     }
-    return _dump(
+    return dump(
         {
             "format": level.format,
             "level": {
@@ -67,7 +67,7 @@ def compiled(level: CompiledLevel) -> str:
 
 def pack(container: Container) -> str:
     """What `pack list` says of a container, in its own order."""
-    return _dump(
+    return dump(
         {
             "version": VERSION,
             "path": container.path,
@@ -76,7 +76,8 @@ def pack(container: Container) -> str:
     )
 
 
-def _dump(value: dict[str, Any]) -> str:
+def dump(value: dict[str, Any]) -> str:
+    """JSON, indented, with a line break at the end."""
     return msgspec.json.format(msgspec.json.encode(value), indent=2).decode() + "\n"
 
 

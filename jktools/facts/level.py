@@ -5,7 +5,10 @@ from __future__ import annotations
 from functools import cached_property
 
 from jktools import geometry
+from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.movers import Mover, movers
 from jktools.facts.references import FileReference, file_references
+from jktools.facts.script import ScriptFacts
 from jktools.geometry import (
     Alignment,
     Convexity,
@@ -18,16 +21,22 @@ from jktools.geometry import (
     SectorMesh,
     Turns,
 )
+from jktools.geometry.collision import Collision
 from jktools.geometry.validity import Int32
 from jktools.model import Level
+from jktools.model.cog.program import Vocabulary
+from jktools.model.resources import Kind
+from jktools.source import InputError
+from jktools.syntax.cog import read_script
 
 
 class LevelFacts:
     """Facts are pulled: nothing is computed that no rule or pass asks for, and nothing twice."""
 
-    def __init__(self, level: Level) -> None:
-        """Know nothing yet."""
+    def __init__(self, level: Level, vocabulary: Vocabulary | None = None) -> None:
+        """Know nothing yet; `vocabulary` has the verbs of the user's own build, for the level's scripts."""
         self.level = level
+        self.vocabulary = vocabulary or Vocabulary(level.game)
 
     @cached_property
     def file_references(self) -> tuple[FileReference, ...]:
@@ -53,6 +62,16 @@ class LevelFacts:
     def mesh(self) -> SectorMesh:
         """The sectors, ready for questions of place and sight."""
         return SectorMesh.from_level(self.level)
+
+    @cached_property
+    def collision(self) -> Collision:
+        """The sectors as bodies meet them."""
+        return Collision(self.level)
+
+    @cached_property
+    def movers(self) -> list[Mover]:
+        """The placed things with frames of their own."""
+        return movers(self.level)
 
     @cached_property
     def overlaps(self) -> Overlaps:
@@ -88,3 +107,33 @@ class LevelFacts:
     def sector_vertices(self) -> list[tuple[frozenset[int], frozenset[int]]]:
         """For each sector, the vertices that it lists and those that its surfaces use; empty where it is not sound."""
         return geometry.sector_vertices(self.level)
+
+    @cached_property
+    def scripts(self) -> dict[str, ScriptFacts | None]:
+        """The scripts that the level places, by lower-case name; None for one that cannot be found."""
+        return {name: self._script(name) for name in dict.fromkeys(cog.name.lower() for cog in self.level.cogs)}
+
+    def _script(self, name: str) -> ScriptFacts | None:
+        found = self.level.resources.find(Kind.COG, name)
+        if found is None:
+            return None
+        try:
+            source = self.level.resources.read(found)
+        except InputError:
+            return None
+        return ScriptFacts(read_script(source, self.level.game), self.vocabulary)
+
+    @cached_property
+    def instances(self) -> tuple[InstanceFacts, ...]:
+        """The placed scripts, one for each line of the level's `cogs`.
+
+        A script that the engine refuses makes no cog, and all later ones get a number one lower (sithCog_Load in the
+        decompiled engine); one that cannot be found here is taken to lie in the game's own files.
+        """
+        found, number = [], 0
+        for cog in self.level.cogs:
+            script = self.scripts[cog.name.lower()]
+            refused = script is not None and script.script.rejected
+            found.append(InstanceFacts(cog, script, -1 if refused else number))
+            number += not refused
+        return tuple(found)

@@ -54,7 +54,7 @@ class Reason(enum.Enum):
 
     UNKNOWN = "the engine knows no such parameter"
     OTHER_GAME = "only Mysteries of the Sith knows it"
-    NO_HANDLER = "the engine knows it, but does nothing with it"
+    NO_HANDLER = "the engine does nothing with it"
     NOT_FOR_THIS = "it is not for things like this"
     REJECTED = "the engine does not take the value"
     FIXED_SIZE = "the engine passes it over for actors and players"

@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from jktools.compiler import CompileError, compile_level
+from jktools.compiler import CompileError, CompileSettings, PassError, compilation
 from jktools.diagnostics import Diagnostic, Label
 from jktools.facts import AssetFacts
 from jktools.linter import Selection, lint, select
@@ -165,7 +165,13 @@ class Built:
     """Files on which jktools itself failed, one sentence each."""
 
 
-def build_all(paths: Sequence[str], out: Path, settings: Settings | None = None, progress: Progress = silent) -> Built:
+def build_all(
+    paths: Sequence[str],
+    out: Path,
+    settings: Settings | None = None,
+    progress: Progress = silent,
+    compiling: CompileSettings | None = None,
+) -> Built:
     """Compile every level that the paths name into files below `out`, or into `out` itself when it names a .jklb.
 
     What cannot be read, compiled or written is told, and the rest is built. Raises InputError when `out` cannot hold
@@ -177,29 +183,38 @@ def build_all(paths: Sequence[str], out: Path, settings: Settings | None = None,
     members = _members(paths, built.problems)
     targets = _targets(members, out)
     for done, (member, target) in enumerate(zip(members, targets, strict=True)):
+
+        def at_pass(name: str, done: int = done, path: str = member.path) -> None:
+            progress(done, len(members), f"{path}: {name}")
+
         progress(done, len(members), member.path)
         try:
-            _build(member, target, settings, library, built)
+            level = read_level(member, settings, library)
+            if level.document.sections and not level.has_geometry:
+                built.skipped.append(f"{member.path}: skipped, it has no GEORESOURCE (resources and templates only)")
+                continue
+            fault = fault_of(target.name)
+            if fault:
+                raise InputError(f"cannot write {target}: {fault}")
+            compiled = compilation(level, compiling, progress=at_pass)
+            write_atomically(target, compiled.data)
+            built.written.append((member.path, target, len(compiled.data)))
+            built.bugs += compiled.failures
         except InputError as error:
             built.problems.append(str(error))
         except CompileError as error:
             built.refused.append(str(error))
+        except PassError as error:
+            built.bugs.append(_bug(error))
         except Exception as error:
             built.bugs.append(f"{member.path}: {_failed(member, error).message}")
     return built
 
 
-def _build(member: Member, target: Path, settings: Settings, library: Library, built: Built) -> None:
-    level = read_level(member, settings, library)
-    if level.document.sections and not level.has_geometry:
-        built.skipped.append(f"{member.path}: skipped, it has no GEORESOURCE (resources and templates only)")
-        return
-    fault = fault_of(target.name)
-    if fault:
-        raise InputError(f"cannot write {target}: {fault}")
-    data = compile_level(level)
-    write_atomically(target, data)
-    built.written.append((member.path, target, len(data)))
+def _bug(error: PassError) -> str:
+    if os.environ.get(TRACEBACK_VARIABLE):
+        raise error
+    return f"{error}; the rest compiles with --keep-going, and {TRACEBACK_VARIABLE}=1 shows where it failed"
 
 
 COMPILED_SUFFIX = ".jklb"

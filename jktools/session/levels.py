@@ -79,8 +79,8 @@ def read_level(member: Member, settings: Settings, library: Library | None = Non
     `library` is what its run reads files from; without one the bases of the settings are opened anew.
     """
     game = game_of(member, settings.game)
-    resources = (library or Library(settings.base)).resources_of(member)
     read = read_library if member.extension == LIBRARY_EXTENSION else read_jkl
+    resources = (library or Library(settings.base)).resources_of(member)
     return Level(read(member.read(), game, strict_grammar=settings.strict_grammar), resources)
 
 
@@ -96,7 +96,8 @@ def load(path: str, base: Sequence[str] = (), game: Game | None = None) -> Level
     `Level.resources`. Raises InputError when a path cannot be opened, or `path` is no level or holds several. What is
     wrong inside the level is in `Level.diagnostics`.
     """
-    levels = discover(path)
+    library = path.lower().endswith(f".{LIBRARY_EXTENSION}")
+    levels = discover(path, extensions=(LIBRARY_EXTENSION if library else LEVEL_EXTENSION,))
     if len(levels) > 1:
         raise InputError(f"{path} holds {len(levels)} levels: name one of {listed(m.path for m in levels)}")
     level = read_level(levels[0], Settings(game, base=tuple(base)))

@@ -20,11 +20,11 @@ CACHE_FOLDER_VARIABLE = "JKTOOLS_CACHE"
 """Names another folder for the parse tables; empty turns the cache off."""
 
 
-_SHARED = "words"
-"""The grammar that others import their terminals from."""
-
 Lexer = Literal["contextual", "basic"]
 """Whether the scanner knows what the parser expects; that of COG code must not: `while` is no name anywhere."""
+
+_SHARED = "words"
+"""The grammar that others import their terminals from."""
 
 
 @cache

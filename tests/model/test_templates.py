@@ -208,3 +208,29 @@ def test_the_fields_of_a_thing_turn_it_unless_orient_does() -> None:
     assert plain.values["orient"].value == (10, 20, 30)
     assert plain.values["orient"].origins[0].span.text == "10"
     assert turned.values["orient"].value == (4, 5, 6)
+
+
+def test_health_raises_maxhealth_but_does_not_lower_it() -> None:
+    up, down, both = resolve(
+        "a none type=actor maxhealth=20 health=30", "b none type=actor maxhealth=20 health=10",
+        "c none type=actor health=10 maxhealth=20",
+    )  # fmt: skip
+    assert (up.number("health"), up.number("maxhealth")) == (30, 30)
+    assert (down.number("health"), down.number("maxhealth")) == (10, 20)
+    assert (both.number("health"), both.number("maxhealth")) == (20, 20)
+
+
+def test_what_a_path_rejects_a_patrol_may_take() -> None:
+    level = level_of(two_rooms(
+        "World templates 4", "guard none type=actor", "World things 5",
+        "2: guard guard .5 .5 .5 0 0 0 0 numframes=0 frame=(1/2/3)",
+        "3: guard guard .5 .5 .5 0 0 0 0 numframes=2 move=path frame=(1/2/3)",
+        "4: guard guard .5 .5 .5 0 0 0 0 numframes=1 frame=(1/2/3) frame=(4/5/6)",
+    ))  # fmt: skip
+    none, mixed, patrol = (thing.resolved for thing in level.things[2:])
+    assert "numframes" not in none.values
+    assert "frame" not in none.values
+    # The path has no frames of its own: it takes no frame, and nobody asks the AI.
+    assert [i.reason for i in mixed.ignored] == [Reason.FULL]
+    assert patrol.values["frame"].value == ((1, 2, 3),)
+    assert [(i.text, i.reason) for i in patrol.ignored] == [("(4/5/6)", Reason.FULL)]

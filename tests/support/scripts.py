@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import random
+import re
 import struct
 from collections.abc import Iterator
 
@@ -45,3 +47,32 @@ def corpus_scripts() -> Iterator[tuple[str, bytes]]:
             name = raw.split(b"\0")[0].decode("latin-1").replace("\\", "/")
             if name.lower().endswith(".cog"):
                 yield f"{path.name}!{name}", data[offset : offset + size]
+
+
+PIECES = [
+    ";", ";", "{", "}", "(", ")", "[", "]", ",", ":", "=", "==", "!=", "&&", "||", "<", ">", "<=", ">=", "+", "-", "*",
+    "/", "%", "&", "|", "^", "!", "~", ".", "$", "\\", '"', "'", "#", "//", "/*", "*/", "if", "else", "while", "do",
+    "for", "goto", "call", "return", "stop", "break", "continue", "end", "x", "startup", "message", "code", "symbols",
+    "1", "0x1F", "0x", "08", "1.5", ".5", "1e3", "1.5f", '"s"', "'v'", "\n", "\r",
+]  # fmt: skip
+"""What random scripts are made of: tokens, and what is nearly one."""
+
+
+def mutated(text: str, rng: random.Random) -> str:
+    """A script with up to three small faults."""
+    for _ in range(rng.randint(1, 3)):
+        tokens = list(re.finditer(r"\w+|\s+|[^\w\s]", text))
+        at = rng.choice(tokens)
+        other = rng.choice(tokens)
+        match rng.randrange(5):
+            case 0:
+                text = text[: at.start()] + text[at.end() :]
+            case 1:
+                text = text[: at.start()] + rng.choice(PIECES) + " " + text[at.start() :]
+            case 2:
+                text = text[: at.start()] + rng.choice(PIECES) + text[at.end() :]
+            case 3:
+                text = text[: at.start()] + other[0] + text[at.end() :]
+            case _:
+                text = text[: at.start()] + chr(rng.randrange(256)) + text[at.start() + 1 :]
+    return text

@@ -118,7 +118,7 @@ class _Reader:
         if self.words and self.words[0].value == word:
             return True
         first = self.words
-        place = self._line_span() if first else self.source.span(len(self.source.data), len(self.source.data))
+        place = self.source.span(first[0].start, first[-1].end) if first else self._end_of_file()
         while self.words and self.words[0].value != word:
             self._next()
         if not self.words:
@@ -133,12 +133,11 @@ class _Reader:
         )  # fmt: skip
         return True
 
-    def _line_span(self) -> Span:
-        return self.lines.span(self.at)
+    def _end_of_file(self) -> Span:
+        return self.source.span(len(self.source.data), len(self.source.data))
 
     def _missing(self, message: str, word: str) -> None:
-        at = len(self.source.data)
-        self._tell(faults.MISSING_COG_PART, self.source.span(at, at), message, f'add a line "{word}"')
+        self._tell(faults.MISSING_COG_PART, self._end_of_file(), message, f'add a line "{word}"')
 
     def _tell(self, code: Code, place: Span, message: str, help: str) -> None:
         if not self.faults:

@@ -40,9 +40,13 @@ class Recovery:
         self.source = source
         self.tables = tables
         self.faults: list[Diagnostic] = []
+        self.stopped: Token | None = None
+        """The token at which the engine gives up."""
         self._words = tables.words
         self._end = tables.columns[END_OF_CODE]
         self._statement_columns = {self._words[word] for word in STATEMENT_WORDS}
+        self._kept = {self._end, self._words[";"], self._words["{"], *self._statement_columns}
+        """Tokens that say where statements end and start: they are never taken for one too many."""
         self._given_up = (-1, 0)
         """Where a statement was last given up: token, and how much of the stack was left."""
         self._quiet_until = 0
@@ -55,13 +59,14 @@ class Recovery:
 
     def recover(self, stack: Stack, tokens: list[Token], at: int, *, too_deep: bool) -> int:
         """Change stack or tokens so that parsing can go on, and give the token to go on with."""
+        self.stopped = self.stopped or tokens[at]
         if len(self.faults) >= MOST_FAULTS:
             return self._stop(stack, tokens, at)
         if too_deep:
             self._tell_once_too_deep(tokens[at])
             return self._give_up(stack, tokens, at)
         inserted, kept = self._best_insertion(stack, tokens, at)
-        removed = self._fit(stack, tokens[at + 1 : at + 1 + LOOK_AHEAD]) if tokens[at].column != self._end else 0
+        removed = 0 if tokens[at].column in self._kept else self._fit(stack, tokens[at + 1 : at + 1 + LOOK_AHEAD])
         if self._starts_block_comment(tokens, at):
             return self._skip_block_comment(tokens, at)
         if kept >= min(LEAST_READ, len(tokens) - at) and kept >= removed:
@@ -93,7 +98,7 @@ class Recovery:
         """Make one unreadable statement of the one at hand, up to where another may start."""
         token, left = self._given_up
         below = left - 1 if token == at else len(stack.states)
-        depth = next((d for d in range(below, 0, -1) if self._takes_statement(stack.states[d - 1])), 0)
+        depth = next((d for d in range(below, 0, -1) if self._takes_statement(stack, d)), 0)
         if depth == 0:  # at the very start, for the second time: this token leads nowhere
             if tokens[at].column == self._end:
                 return self._stop(stack, tokens, at)
@@ -124,8 +129,12 @@ class Recovery:
             after += 1
         return after
 
-    def _takes_statement(self, state: int) -> bool:
-        return self.tables.rows[state][self.tables.columns["statement"]] > 0
+    def _takes_statement(self, stack: Stack, depth: int) -> bool:
+        """Whether a statement may stand on so much of the stack; a `do` that has its own waits for `while` alone."""
+        state = stack.states[depth - 1]
+        above = stack.states[depth] if depth < len(stack.states) else 0
+        waiting = self.tables.entered_by[state] == "DO" and self.tables.entered_by[above] == "statement"
+        return self.tables.rows[state][self.tables.columns["statement"]] > 0 and not waiting
 
     def _push(self, stack: Stack, statement: Unreadable) -> None:
         stack.states.append(self.tables.rows[stack.states[-1]][self.tables.columns["statement"]])

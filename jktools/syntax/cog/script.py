@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from jktools.diagnostics import Diagnostic, Label
 from jktools.diagnostics.suppression import LINES, CommentStyle, code_comments
-from jktools.source import Source
+from jktools.source import Source, Span
 from jktools.syntax.cog import faults
 from jktools.syntax.cog.header import read_header
 from jktools.syntax.cog.nodes import Code, Header, Statement
@@ -58,31 +58,35 @@ def read_script(source: Source, game: str = "jk") -> Script:
     begin = len(source.data) if reading.code is None else reading.code
     automaton = tables()
     scanned = scan(source.text, begin, automaton)
+    stops = [fault.label.span for fault in found]
     body: list[Statement] = []
     if len(scanned.tokens) > 1:
         recovery = Recovery(source, automaton)
         body = parse(scanned, automaton, recovery)
         found += recovery.finish()
+        if recovery.stopped is not None:
+            stops.append(source.span(recovery.stopped.start, recovery.stopped.end))
     elif reading.code is not None:
         found.append(_empty(source, scanned))
+        stops.append(found[-1].label.span)
     found += [_overlong(source, token.start, token.end) for token in scanned.overlong]
+    stops += [source.span(token.start, token.start + 1) for token in scanned.overlong]
     code = Code(begin, scanned.tokens[-1].end, tuple(body), tuple(scanned.words), scanned.closed)
-    told = _rejected(found)
+    told = _rejected(found, [stop for stop in stops if stop is not None])
     return Script(source, game, reading.header, code, told, tuple(scanned.strays))
 
 
-def _rejected(found: list[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The faults in order, before them one for the script, at the place where the engine stops."""
-    if not found:
+def _rejected(found: list[Diagnostic], stops: list[Span]) -> tuple[Diagnostic, ...]:
+    """The faults in order, before them one for the script, at the first place where the engine stops."""
+    if not stops:
         return ()
     found.sort(key=lambda fault: fault.sort_key)
-    first = found[0].label.place
-    line = found[0].label.span.first.line if found[0].label.span else 1
+    stop = min(stops, key=lambda span: span.start)
     whole = Diagnostic(
         faults.COG_REJECTED,
         faults.COG_REJECTED.severity,
-        Label(first),
-        f"the engine refuses this script, because of line {line}",
+        Label(stop),
+        f"the engine refuses this script: it stops reading at line {stop.first.line}",
         "until it is mended, no cog of a level can run it, and the numbers of all later cogs are one too low",
     )
     return (whole, *found)

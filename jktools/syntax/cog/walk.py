@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 from jktools.syntax.cog.nodes import (
     Assign,
@@ -16,6 +17,7 @@ from jktools.syntax.cog.nodes import (
     If,
     Index,
     Labeled,
+    Node,
     Statement,
     Unary,
     While,
@@ -86,3 +88,22 @@ def statements(body: Sequence[Statement]) -> Iterator[Statement]:
         at = pending.pop()
         yield at
         pending += reversed(parts(at))
+
+
+def same_tree(one: Sequence[Statement], other: Sequence[Statement]) -> bool:
+    """Whether two bodies say the same, wherever they stand in their texts."""
+    pending: list[tuple[Any, Any]] = [(tuple(one), tuple(other))]
+    while pending:
+        a, b = pending.pop()
+        if type(a) is not type(b):
+            return False
+        if isinstance(a, tuple):
+            if len(a) != len(b):
+                return False
+            pending += zip(a, b, strict=True)
+        elif isinstance(a, Node):
+            names = a.__struct_fields__[2:]  # without start and end
+            pending += ((getattr(a, name), getattr(b, name)) for name in names)
+        elif a != b:
+            return False
+    return True
