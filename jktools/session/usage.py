@@ -21,6 +21,12 @@ from jktools.syntax.assets.asset import Asset
 ALWAYS_READ = frozenset({Kind.LEVEL, Kind.ITEMS, Kind.EPISODE, Kind.STRINGS, Kind.CUTSCENE})
 """Kinds that the engine reads by themselves, or that no file has to name."""
 
+NAMING = (
+    Kind.LEVEL, Kind.COG, Kind.MODEL, Kind.SPRITE, Kind.PUPPET, Kind.SOUND_CLASS, Kind.PARTICLES, Kind.ITEMS,
+    Kind.EPISODE,
+)  # fmt: skip
+"""Kinds of file that name others."""
+
 _NAME_IN_CODE = re.compile(
     r"[A-Za-z0-9_.+\-]+\.(?:" + "|".join(kind.extension for kind in Kind if kind not in ALWAYS_READ) + r")\b",
     re.IGNORECASE,
@@ -60,7 +66,7 @@ class _Mod:
     resources: Resources
     named: set[tuple[Kind, str]] = field(default_factory=set)
     read: set[str] = field(default_factory=set)
-    """Paths of the levels and scripts that were read."""
+    """Paths of the files that were read."""
 
 
 class Usage:
@@ -128,8 +134,8 @@ def _names(document: Document) -> Iterator[tuple[Kind, str]]:
 
 
 def _unused(mod: _Mod) -> Iterator[tuple[Kind, Member]]:
-    """The files that nobody names, where every level and script of the mod was read."""
-    if any(member.path not in mod.read for _, member in mod.resources.own_files((Kind.LEVEL, Kind.COG))):
+    """The files that nobody names, where everything in the mod that could name them was read."""
+    if any(member.path not in mod.read for _, member in mod.resources.own_files(NAMING)):
         return
     for kind, member in mod.resources.own_files([kind for kind in Kind if kind not in ALWAYS_READ]):
         name = canonical(member.name).rpartition("/")[2]
