@@ -138,3 +138,24 @@ def test_a_folder_of_a_site_is_not_taken_for_a_mod(here: Path) -> None:
     write(here / "site/x.jkl", rooms().encode())
     assert told("site", "JK03") == [("JK034", "the material should go on for 76 bytes with header, but ends after 11")]
     assert told("site/music/song.wav", "JK03") != []
+
+
+def test_templates_of_the_game_are_known_with_a_base() -> None:
+    """JK103, JK105 and JK106 ask static.jkl; JK104 and JK107 too, since what it defines stands before the level."""
+    level = rooms(
+        "World templates 4", "low none type=cog", "own mother type=cog creatething=spark", "mother none type=cog",
+        "far none type=cog creatething=mother", "World things 4", "3: hers x .5 1.5 .5 0 0 0 1",
+    )  # fmt: skip
+    codes = ("JK102", "JK103", "JK104", "JK105", "JK106", "JK107")
+    mod = pack("mod.gob", level=level)
+    without = {message for _, message in told(mod, *codes)}
+    assert 'thing 3 (hers) names template "hers", but the level defines none of that name' in without
+    assert any("spark" in m for m in without)
+    static = rooms("World templates 4", "hers none type=cog", "spark none type=cog", "mother none type=cog")
+    pack("game.gob", ("jkl\\static.jkl", static.encode()))
+    assert not any(n in m for _, m in told(mod, *codes, base=("game.gob",)) for n in ("hers", "spark", "mother"))
+    pack("game.gob", ("jkl\\static.jkl", rooms().encode()))
+    found = {message for _, message in told(mod, *codes, base=("game.gob",))}
+    where = "neither the level nor game.gob!jkl/static.jkl defines one of that name"
+    assert f'thing 3 (hers) names template "hers", but {where}' in found
+    assert any(m.endswith(f"creatething=spark, but {where}") for m in found)
