@@ -11,7 +11,7 @@ from jktools.compiler import CompileError, CompileSettings, PassError, compilati
 from jktools.diagnostics import Diagnostic, Label
 from jktools.facts import AssetFacts
 from jktools.linter import Selection, lint, select
-from jktools.linter.rule import FILE_FAILED, Document
+from jktools.linter.rule import FILE_FAILED, Document, Facts, facts_of
 from jktools.model import Level
 from jktools.model.resources import Library
 from jktools.session.ignores import unused_ignores, with_settings
@@ -97,7 +97,10 @@ def check(
         known.update(map(_identity, bound))
         batch.files += 1
         resources = document.resources if isinstance(document, Level) else library.resources_of(member)
-        facts = AssetFacts(document, resources) if isinstance(document, Asset) else None
+        if isinstance(document, Asset):
+            facts: Facts = AssetFacts(document, resources)
+        else:
+            facts = facts_of(document, settings.verbs)
         if usage is not None:
             usage.add(document, resources)
         found = lint(document, rules, facts, settings.options)
