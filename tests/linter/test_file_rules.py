@@ -159,3 +159,14 @@ def test_templates_of_the_game_are_known_with_a_base() -> None:
     where = "neither the level nor game.gob!jkl/static.jkl defines one of that name"
     assert f'thing 3 (hers) names template "hers", but {where}' in found
     assert any(m.endswith(f"creatething=spark, but {where}") for m in found)
+
+
+def test_values_of_another_kind_than_their_symbol() -> None:
+    script = b"symbols\nmessage startup\nsound noise\nmaterial paint\nmodel shape\nend\ncode\nstartup:\nreturn;\nend\n"
+    level = rooms("World cogs 1", "0: door.cog wind.mat none SHAPE.3DO")
+    mod = pack("mod.gob", ("cog\\door.cog", script), level=level)
+    assert told(mod, "JK114") == [
+        ("JK114", 'cog 0 (door.cog) gives "wind.mat" to the symbol "noise", but that takes a .wav file')
+    ]
+    right = pack("right.gob", ("cog\\door.cog", script), level=level.replace("wind.mat", "wind.wav"))
+    assert told(right, "JK114") == []
