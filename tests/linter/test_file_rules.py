@@ -136,7 +136,9 @@ def test_a_folder_of_a_site_is_not_taken_for_a_mod(here: Path) -> None:
     write(here / "site/music/song.wav", b"no sound")
     write(here / "site/keys/id.key", b"-----BEGIN")
     write(here / "site/x.jkl", rooms().encode())
-    assert told("site", "JK03") == [("JK034", "the material should go on for 76 bytes with header, but ends after 11")]
+    assert told("site", "JK03") == [
+        ("JK034", "the material should go on for 76 bytes with its header, but 11 are left")
+    ]
     assert told("site/music/song.wav", "JK03") != []
 
 

@@ -38,6 +38,7 @@ class LineReader:
         self.at = 0
         self.faults = FaultList(source)
         self._told_blank = skips_blank
+        self._told_end = False
         for line in self.lines.cut_lines():
             self.fault(
                 faults.MALFORMED_ASSET, line,
@@ -117,6 +118,9 @@ class LineReader:
         What stands before it is passed over, but nothing beyond a line of `stops`.
         """
         if not self.is_at(record):
+            if self.done and self._told_end:
+                return None
+            self._told_end = self.done
             found = "the file ends" if self.done else f"found {quote(self.text())}"
             self.fault(
                 faults.MALFORMED_ASSET, self.at, f'expected the line "{record.keyword}", but {found}',
