@@ -42,6 +42,15 @@ class Repeats(NamedTuple):
         return Repeats(self.per_run * count, self.per_second * count, self.per_interruption * count)
 
 
+class _Loop(NamedTuple):
+    header: int
+    """-1 for a loop that is entered in several places."""
+    tests: Repeats
+    """Passes of the header."""
+    body: Repeats
+    """Passes of each other block, as far as no inner loop holds it."""
+
+
 NEVER = Repeats(0.0, 0.0)
 ONCE = Repeats(1.0, 0.0)
 UNBOUNDED = Repeats(math.inf, 0.0)
@@ -135,28 +144,28 @@ class Counter:
             pending = [(part, ONCE) for part in components(self.flow.blocks, inside)]
             while pending:
                 part, outer = pending.pop()
-                header, passes = self._loop(frozenset(part), inside, outer, entry)
+                loop = self._loop(frozenset(part), inside, outer, entry)
                 for index in part:
-                    found[index] = passes
-                if header >= 0:
-                    pending += [(p, passes) for p in components(self.flow.blocks, frozenset(part), cut=header)]
+                    found[index] = loop.tests if index == loop.header else loop.body
+                if loop.header >= 0:
+                    pending += [(p, loop.body) for p in components(self.flow.blocks, frozenset(part), cut=loop.header)]
             self._within[entry] = found
         return self._within[entry]
 
-    def _loop(self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int) -> tuple[int, Repeats]:
-        """The header of a loop, -1 when it has several, and the passes of what is in it."""
+    def _loop(self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int) -> _Loop:
+        """How often a loop's header and the rest of it are passed."""
         outside = inside - part
         headers = [i for i in sorted(part) if i == entry or outside.intersection(self.flow.blocks[i].predecessors)]
         if len(headers) != 1:
-            return -1, UNBOUNDED
+            return _Loop(-1, UNBOUNDED, UNBOUNDED)
         header = headers[0]
-        turns = self._turns(header, part)
+        turns, testing = self._turns(header, part)
         if turns < math.inf:
-            return header, outer.times(turns + 1)
+            again = outer.times(turns + 1)
+            return _Loop(header, again, outer.times(turns) if testing == header else again)
         pace = self._pace(header, part)
-        if pace > 0:
-            return header, Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1)
-        return header, UNBOUNDED
+        passes = Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1) if pace else UNBOUNDED
+        return _Loop(header, passes, passes)
 
     def _pace(self, header: int, part: frozenset[int]) -> float:
         """The least time that every turn sleeps; 0 when a turn may not sleep at all."""
@@ -188,17 +197,17 @@ class Counter:
                         found.setdefault(each, []).append((index, node))  # type: ignore[arg-type]
         return found
 
-    def _turns(self, header: int, part: frozenset[int]) -> float:
-        """The most turns of a loop whose condition compares a variable that every turn moves by a step."""
+    def _turns(self, header: int, part: frozenset[int]) -> tuple[float, int]:
+        """The most turns of a loop whose condition compares a variable that every turn moves by a step.
+
+        With the block that tests it: where that is the header, nothing else is passed once more than the turns.
+        """
         testing = [
             i for i in sorted(part)
             if self.flow.blocks[i].tests and any(s not in part for s in self.flow.blocks[i].successors)
         ]  # fmt: skip
-        best = math.inf
-        for index in testing:
-            if self._every_turn(index, header, part):
-                best = min(best, self._turns_by(index, header, part))
-        return best
+        found = [(self._turns_by(i, header, part), i) for i in testing if self._every_turn(i, header, part)]
+        return min(found, default=(math.inf, -1))
 
     def _turns_by(self, testing: int, header: int, part: frozenset[int]) -> float:
         block = self.flow.blocks[testing]
@@ -245,8 +254,12 @@ class Counter:
         farthest = max(abs(start), abs(end)) + max(abs(step[0]), abs(step[1]))
         if farthest * 2.0**-24 > least / 16:
             return math.inf
-        exact = all(float(x).is_integer() for x in (least, start)) and farthest < ranges.EXACT_INT
-        return max(0.0, math.floor((end - start) / (least if exact else least * 15 / 16)) + 1)
+        exact = all(float(x).is_integer() for x in (least, start, end)) and farthest < ranges.EXACT_INT
+        if exact:
+            turns = -((start - end) // least) if going in "<>" else (end - start) // least + 1
+        else:
+            turns = (end - start) // (least * 15 / 16) + 1
+        return max(0.0, turns)
 
     def _ends(self, stored: ranges.Range, going: str, limit: ranges.Range) -> bool:
         """Whether an assignment in a loop ends it, as `i = 100;` where another language has `break`."""
