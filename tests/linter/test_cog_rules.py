@@ -53,16 +53,8 @@ def test_names_that_an_array_can_reach_are_not_called_unassigned() -> None:
 
 
 def test_nothing_is_called_missing_where_code_could_not_be_read() -> None:
-    broken = [
-        "symbols",
-        "message startup",
-        "message pulse",
-        "end",
-        "code",
-        "startup: SetPulse(1; x = y; return;",
-        "end",
-    ]
-    broken.append("end")
+    broken = ["symbols", "message startup", "message pulse", "end", "code"]
+    broken += ["startup: SetPulse(1 2 3; x = y; return;", "end"]
     assert script_of("\n".join([*broken, ""])).rejected
     for code in ("JK530", "JK535", "JK536", "JK537", "JK602", "JK603", "JK604", "JK608", "JK609"):
         assert script_findings(code, *broken) == []
@@ -126,7 +118,8 @@ def test_too_deep_calls_count_to_four() -> None:
 def test_every_later_cog_is_misled_by_a_refused_script() -> None:
     (found,) = level_findings(
         "JK654", "World cogs 4", "0: ask.cog 3", "1: broken.cog", "2: ask.cog 0", "3: ask.cog 2",
-        f"{FILE}cog/broken.cog", "symbols", "end", "code", "end", f"{FILE}cog/ask.cog", "symbols", "cog other", "end", "code", ";", "end",
+        f"{FILE}cog/broken.cog", "symbols", "end", "code", "end", f"{FILE}cog/ask.cog",
+        "symbols", "cog other", "end", "code", ";", "end",
     )  # fmt: skip
     assert found.message == "the engine refuses the script of cog 1 (broken.cog), so that the 2 cogs behind it get " + (
         "numbers one lower"
