@@ -87,7 +87,9 @@ class Source:
         """Whether the call can only switch the pulse or timer off."""
         if self.seconds is None:
             return False
-        most = ranges.as_flex(self.seconds)[1]
+        least, most = ranges.as_flex(self.seconds)
+        if self.kind in ("thing pulse", "thing timer"):
+            return least == most == 0  # what is below 0 comes every frame
         return most < 0 if self.kind == "each timer" else most <= 0
 
 
@@ -168,7 +170,7 @@ class Rates:
         found: dict[str, set[str]] = {h.label: set() for h in self.program.handlers}
         for label, sources in self.sources.items():
             for source in sources:
-                for sender in source.senders:
+                for sender in () if source.off else source.senders:
                     found[sender].add(label)
         return {label: frozenset(each) for label, each in found.items()}
 
