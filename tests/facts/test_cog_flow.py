@@ -137,6 +137,7 @@ def test_labels_lead_into_each_other() -> None:
         ("i = 0; do { Print(1); i = i + 1; } while (i < 3);", 3, 0),
         ("again: Print(1); if (Rand() < 0.5) goto again;", math.inf, 0),
         ("call twice; call twice;", 2, 0),
+        ("i = 0; while (i < 10) { Print(1); k[Rand()] = i + 1; }", math.inf, 0),
     ],
 )
 def test_loops(loop: str, per_run: float, per_second: float) -> None:
@@ -186,3 +187,25 @@ def test_a_deep_tree_is_no_trouble() -> None:
     assert facts(f"startup: {nested} return;").rates.sites[0].arguments[0].number == 1 + depth
     long_sum = " + ".join(["1"] * 5000)
     assert facts(f"startup: Print({long_sum}); return;").rates.sites[0].arguments[0].number == 5000
+
+
+MANY = 1500
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "while (1) { Sleep(1); " + "if (x < 5) return; " * MANY + "}",
+        "".join(f"v{i} = v{i + 1} + 1; DamageThing(1, 2, 3, 4); " for i in range(MANY)),
+        "".join(f"a{i}[Rand() * {i}] = {i}; " for i in range(MANY)),
+        "".join(f"call s{i}; " for i in range(MANY)) + "return; " + "".join(f"s{i}: Print(1); " for i in range(MANY)),
+        "".join(f"l{i}: x = x + 1; if (x > {i}) goto l{i * 7919 % MANY}; " for i in range(MANY)),
+    ],
+    ids=["ways out of a loop", "a chain of values", "arrays", "calls that fall through", "jumps"],
+)
+def test_scripts_made_to_take_long_do_not(code: str) -> None:
+    """Seconds for what took minutes when each part looked at all the others; what is let go is let go soundly."""
+    each = facts(f"startup: {code} return;")
+    assert each.rates.sources["startup"]
+    assert each.rates.most_runs(1, {"startup": 1})["startup"] == 1
+    assert each.reach.dead == ()

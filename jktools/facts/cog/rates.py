@@ -161,7 +161,7 @@ class Rates:
         target = site.call.arguments[0] if site.call.arguments else None
         if isinstance(target, Name):
             slot = self.program.slot_of.get(target.name)
-            return slot is None or slot.type != "cog" or slot.index in self.counter.stores
+            return slot is None or slot.type != "cog" or self.counter.is_stored(slot.index)
         return True
 
     @cached_property

@@ -20,6 +20,10 @@ from jktools.syntax.cog.nodes import Assign, Binary, Expression, Name
 
 MOST_FRAMES = 4
 """How deep `call` and messages nest."""
+MOST_TESTS = 8
+"""Ways out of a loop that are looked at for one that counts."""
+MOST_EFFORT = 50_000
+"""Blocks counted before nothing more is held for bounded; only scripts made to take long come near."""
 SHORTEST_SLEEP = 0.1
 """What a sleep of 0 seconds or less lasts."""
 
@@ -116,15 +120,21 @@ class Counter:
         self.reach = reach
         self.known = known
         self._within: dict[int, Mapping[int, Repeats]] = {}
-        self.stores = self._stores()
+        self._effort = 0
+        self.stores = self._stores(Op.STORE)
+        self.arrays = [each for stores in self._stores(Op.STORE_AT).values() for each in stores]
 
     def of_handler(self, start: int) -> Mapping[int, Repeats]:
         """Passes of each block in one run of the handler that starts here, through calls too."""
         total: dict[int, Repeats] = {}
         level = {start: ONCE}
+        if self._effort > MOST_EFFORT:
+            return dict.fromkeys(self.reach.blocks_from([start]), UNBOUNDED)
         for _ in range(1 + MOST_FRAMES):
             below: dict[int, Repeats] = {}
             for entry, count in level.items():
+                if self._effort > MOST_EFFORT:
+                    return dict.fromkeys(self.reach.blocks_from([start]), UNBOUNDED)
                 for index, inner in self.within(entry).items():
                     passes = _nested(count, inner)
                     total[index] = _sum(total.get(index, NEVER), passes)
@@ -141,6 +151,7 @@ class Counter:
         if entry not in self._within:
             inside = frozenset(i for i in self.reach.blocks_from([entry], into_calls=False) if i in self.known.visited)
             found = dict.fromkeys(sorted(inside), ONCE)
+            self._effort += len(found)
             pending = [(part, ONCE) for part in components(self.flow.blocks, inside)]
             while pending:
                 part, outer = pending.pop()
@@ -185,17 +196,18 @@ class Counter:
 
     # ---- loops that count
 
-    def _stores(self) -> Mapping[int, list[tuple[int, Assign]]]:
-        """By slot: the block and node of each assignment that can run; an array's counts for every slot."""
+    def _stores(self, operation: Op) -> Mapping[int, list[tuple[int, Assign]]]:
+        """By slot: the block and node of each assignment that can run; an array's by the slot that it counts from."""
         found: dict[int, list[tuple[int, Assign]]] = {}
         for index in sorted(self.known.visited):
             for op, slot, node in self.flow.blocks[index].code:
-                if op is Op.STORE:
+                if op is operation:
                     found.setdefault(slot, []).append((index, node))  # type: ignore[arg-type]
-                elif op is Op.STORE_AT:
-                    for each in range(len(self.program.slots)):
-                        found.setdefault(each, []).append((index, node))  # type: ignore[arg-type]
         return found
+
+    def is_stored(self, slot: int) -> bool:
+        """Whether something can assign a symbol."""
+        return slot in self.stores or bool(self.arrays)
 
     def _turns(self, header: int, part: frozenset[int]) -> tuple[float, int]:
         """The most turns of a loop whose condition compares a variable that every turn moves by a step.
@@ -206,8 +218,10 @@ class Counter:
             i for i in sorted(part)
             if self.flow.blocks[i].tests and any(s not in part for s in self.flow.blocks[i].successors)
         ]  # fmt: skip
-        found = [(self._turns_by(i, header, part), i) for i in testing if self._every_turn(i, header, part)]
-        return min(found, default=(math.inf, -1))
+        counting = [i for i in testing if isinstance(self.flow.blocks[i].condition, Binary)][:MOST_TESTS]
+        found = [(self._turns_by(i, header, part), i) for i in counting]
+        proven = [each for each in found if each[0] < math.inf and self._every_turn(each[1], header, part)]
+        return min(proven, default=(math.inf, -1))
 
     def _turns_by(self, testing: int, header: int, part: frozenset[int]) -> float:
         block = self.flow.blocks[testing]
@@ -234,12 +248,14 @@ class Counter:
         if slot is None or (own.kinds | limit.kinds) & ~ranges.NUMBER:
             return math.inf
         known = self.known
-        stores = self.stores.get(slot.index, [])
+        stores = [*self.stores.get(slot.index, []), *self.arrays]
         moving = [
             (index, node)
             for index, node in stores
             if index in part and not self._ends(known.stored[node], going, limit)
         ]
+        if any(index in part for index, _ in self.arrays):
+            return math.inf
         if len(moving) != 1 or not self._every_turn(moving[0][0], header, part):
             return math.inf
         if len(stores) > 1 and self._others_run(part):
