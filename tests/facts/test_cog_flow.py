@@ -176,6 +176,26 @@ def test_a_pulse_comes_once_a_frame_at_most() -> None:
     assert rates.most_runs(10, {"startup": 1}, frames=30)["pulse"] == pytest.approx(301)
 
 
+def test_which_handlers_come_to_a_verb_of_sight_and_how_often() -> None:
+    each = facts(
+        "startup: SetPulse(rate); return;",
+        "pulse: for (i = 0; i < 3; i = i + 1) call look; return;",
+        "activate: if (IsAITargetInSight(lamp)) Print(1);",
+        "look: if (HasLOS(lamp, GetLocalPlayerThing()) == 1) Print(2); return;",
+        symbols=("int i local", "flex rate=1.0", "thing lamp"),
+    )
+    slots = each.program.slot_of
+    analysis = Analysis(each.program, {slots["rate"].index: 0.25, slots["lamp"].index: 12})
+    found = [(c.label, c.site.verb.name, c.site.verb.sight, c.repeats.per_run) for c in analysis.rates.sight_calls]
+    assert found == [
+        ("pulse", "haslos", "ray", 3),
+        ("activate", "isaitargetinsight", "cached", 1),
+        ("activate", "haslos", "ray", 1),
+    ]
+    assert analysis.rates.sight_calls[0].site.arguments[0].number == 12
+    assert analysis.rates.most_runs(1, {"startup": 1})["pulse"] == 5
+
+
 def test_messages_in_a_circle_have_no_bound() -> None:
     rates = facts("startup: return;", "user0: SendMessage(GetSelfCog(), user0); return;").rates
     assert rates.most_runs(1, {"user0": 1})["user0"] == math.inf

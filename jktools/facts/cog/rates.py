@@ -93,6 +93,17 @@ class Source:
         return most < 0 if self.kind == "each timer" else most <= 0
 
 
+@dataclass(frozen=True, slots=True)
+class HandlerCall:
+    """A call as one handler comes to it."""
+
+    label: str
+    """Of the handler."""
+    site: Site
+    repeats: Repeats
+    """How often a run of the handler makes the call, through its loops and the labels that it calls."""
+
+
 class Rates:
     """Of all handlers of a script under one binding of its symbols."""
 
@@ -126,6 +137,20 @@ class Rates:
     def senders_of(self, site: Site) -> tuple[str, ...]:
         """The handlers that lead to a call."""
         return tuple(label for label, passes in self.repeats.items() if site.block in passes)
+
+    @cached_property
+    def sight_calls(self) -> tuple[HandlerCall, ...]:
+        """Every way to a verb of sight: handler by handler, in the order of the code.
+
+        The cost of one call is `site.verb.sight`; what it looks from and at are `site.arguments`, and `most_runs` tells
+        how often the handlers run.
+        """
+        return tuple(
+            HandlerCall(label, site, self.repeats_of(label, site))
+            for label in self.repeats
+            for site in self.sites
+            if site.verb.sight is not None and site.block in self.repeats[label]
+        )
 
     @cached_property
     def sources(self) -> Mapping[str, tuple[Source, ...]]:
