@@ -7,10 +7,12 @@ from functools import cached_property
 from jktools import geometry
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.movers import Mover, movers
+from jktools.facts.openings import named_by_cogs
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.script import ScriptFacts
 from jktools.facts.standing import Carriers
 from jktools.geometry import (
+    Accuracy,
     Alignment,
     Convexity,
     Corners,
@@ -21,6 +23,7 @@ from jktools.geometry import (
     Planarity,
     SectorMesh,
     Turns,
+    VisibleSectors,
 )
 from jktools.geometry.collision import Collision
 from jktools.geometry.validity import Int32
@@ -85,6 +88,22 @@ class LevelFacts:
     def overlaps(self) -> Overlaps:
         """The pairs of sectors that overlap."""
         return geometry.sector_overlaps(self.mesh)
+
+    @cached_property
+    def openable_surfaces(self) -> Int32:
+        """Surfaces that COGs may make see-through; no script is read, so all that a placed COG's values can name."""
+        return named_by_cogs(self.level)
+
+    @cached_property
+    def visibility(self) -> VisibleSectors:
+        """Which sectors can be seen from which, at `balanced`."""
+        return self.mesh.visible_sectors(open_surfaces=self.openable_surfaces)
+
+    def visible_sectors(self, accuracy: Accuracy) -> VisibleSectors:
+        """Which sectors can be seen from which, at any tier."""
+        if accuracy == "balanced":
+            return self.visibility
+        return self.mesh.visible_sectors(accuracy, open_surfaces=self.openable_surfaces)
 
     @cached_property
     def collide_boxes(self) -> tuple[Int32, Outside]:
