@@ -2,8 +2,8 @@
 
 Segments between random points of every pair of sectors are asked of sight at `balanced`, which is exact. One that
 starts in A and ends, by the rules of sight, in a sector that is not in A's set is missed: the exit status is 1. A
-segment may also slip through a gap between surfaces, and then reaches points of sectors that it never entered: these are
-counted apart (sight follows the surfaces as they are written, and so does visibility).
+segment may also slip through a gap between surfaces, and then reaches points of sectors that it never entered: these
+are counted apart (sight follows the surfaces as they are written, and so does visibility).
 """
 
 from __future__ import annotations

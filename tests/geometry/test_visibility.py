@@ -13,7 +13,8 @@ from jktools.facts import LevelFacts
 from jktools.geometry import BLOCKS, SectorMesh, compressed, expanded
 from tests.geometry.portal_levels import Level, Queries, level_of, queries_of
 from tests.geometry.test_sight_extremes import MOVES, SHAKES, cut_cells
-from tests.support.levels import corpus_files, level_of as read_level
+from tests.support.levels import corpus_files
+from tests.support.levels import level_of as read_level
 
 Bool = npt.NDArray[np.bool_]
 REAL = {name.partition("!")[2]: data for name, data in corpus_files() if name.startswith("masspack")}
