@@ -8,7 +8,9 @@ from jktools import geometry
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.movers import Mover, movers
 from jktools.facts.openings import named_by_cogs
+from jktools.facts.reachability import Reach, reach
 from jktools.facts.script import ScriptFacts
+from jktools.facts.standing import Carriers
 from jktools.geometry import (
     Accuracy,
     Alignment,
@@ -29,6 +31,7 @@ from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
 from jktools.model.resources import Kind
 from jktools.source import InputError
+from jktools.syntax.assets.material import read_material
 from jktools.syntax.cog import read_script
 
 
@@ -39,6 +42,7 @@ class LevelFacts:
         """Know nothing yet; `vocabulary` has the verbs of the user's own build, for the level's scripts."""
         self.level = level
         self.vocabulary = vocabulary or Vocabulary(level.game)
+        self._cels: dict[int, int | None] = {}
 
     @cached_property
     def convexity(self) -> Convexity:
@@ -64,6 +68,16 @@ class LevelFacts:
     def collision(self) -> Collision:
         """The sectors as bodies meet them."""
         return Collision(self.level)
+
+    @cached_property
+    def reach(self) -> Reach:
+        """The templates and files that the level can reach in play."""
+        return reach(self.level, lambda name: self.scripts.get(name) or self._script(name))
+
+    @cached_property
+    def carriers(self) -> Carriers:
+        """The things that bodies can stand on."""
+        return Carriers(self.level)
 
     @cached_property
     def movers(self) -> list[Mover]:
@@ -150,3 +164,21 @@ class LevelFacts:
             found.append(InstanceFacts(cog, script, -1 if refused else number))
             number += not refused
         return tuple(found)
+
+    def cel_count(self, material: int) -> int | None:
+        """How many cels a material of the level's list has; None where its file is not at hand or is broken."""
+        if material not in self._cels:
+            self._cels[material] = self._count_cels(material)
+        return self._cels[material]
+
+    def _count_cels(self, material: int) -> int | None:
+        if not 0 <= material < len(self.level.materials):
+            return None
+        found = self.level.resources.find(Kind.MATERIAL, self.level.materials[material])
+        if found is None:
+            return None
+        try:
+            read = read_material(self.level.resources.read(found))
+        except InputError:
+            return None
+        return len(read.cels) if read.type >= 0 and not read.diagnostics else None
