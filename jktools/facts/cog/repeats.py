@@ -258,7 +258,7 @@ class Counter:
             return math.inf
         if len(moving) != 1 or not self._every_turn(moving[0][0], header, part):
             return math.inf
-        if len(stores) > 1 and self._others_run(part):
+        if self._others_store(part, stores):
             return math.inf
         step = self._step(moving[0][1], slot.name)
         up = going in ("<", "<=")
@@ -293,11 +293,14 @@ class Counter:
                 return ranges.as_flex(left)
         return 0.0, 0.0
 
-    def _others_run(self, part: frozenset[int]) -> bool:
-        """Whether other handlers, or other runs of this one, can come between the turns."""
+    def _others_store(self, part: frozenset[int], stores: Sequence[tuple[int, Assign]]) -> bool:
+        """Whether one of the assignments can come between the turns: in what the loop calls, or in other handlers."""
         blocks = self.flow.blocks
-        return any(
-            blocks[i].callee >= 0 or any(op is Op.CALL and arg.delivers for op, arg, _ in blocks[i].code) for i in part
+        called = frozenset(self.reach.blocks_from(blocks[i].callee for i in part if blocks[i].callee >= 0))
+        if any(index in called for index, _ in stores):
+            return True
+        return len(stores) > 1 and any(
+            op is Op.CALL and arg.delivers for i in part | called for op, arg, _ in blocks[i].code
         )
 
     def _every_turn(self, index: int, header: int, part: frozenset[int]) -> bool:
