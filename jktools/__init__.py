@@ -19,14 +19,16 @@ if TYPE_CHECKING:
     from jktools.diagnostics import Diagnostic as Diagnostic
     from jktools.diagnostics import Severity as Severity
     from jktools.geometry import SectorMesh as SectorMesh
-    from jktools.linter import lint as lint
     from jktools.model import Level as Level
     from jktools.session import Settings as Settings
     from jktools.session import build as build
     from jktools.session import check as check
+    from jktools.session import lint as lint
     from jktools.session import load as load
+    from jktools.session import load_script as load_script
     from jktools.session import mesh as mesh
     from jktools.source import InputError as InputError
+    from jktools.syntax.cog import Script as Script
 
 _PUBLIC = {
     "CompileError": ("jktools.compiler", "CompileError"),
@@ -38,9 +40,11 @@ _PUBLIC = {
     "Severity": ("jktools.diagnostics", "Severity"),
     "build": ("jktools.session", "build"),
     "check": ("jktools.session", "check"),
-    "lint": ("jktools.linter", "lint"),
+    "lint": ("jktools.session", "lint"),
     "load": ("jktools.session", "load"),
+    "load_script": ("jktools.session", "load_script"),
     "mesh": ("jktools.session", "mesh"),
+    "Script": ("jktools.syntax.cog", "Script"),
     "SectorMesh": ("jktools.geometry", "SectorMesh"),
     "open_compiled": ("jktools.compiler", "open_compiled"),
 }

@@ -13,8 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from jktools.linter import Rule, rules
-from jktools.linter.rule import options_of
-from jktools.session import Settings, check
+from jktools.linter.rule import ANY_DOCUMENT, options_of
+from jktools.session import Settings, check, discover
+from jktools.session.levels import SCRIPT_EXTENSION
+from jktools.syntax.cog import Script
 
 ROOT = Path(__file__).resolve().parent.parent
 CORPUS = ROOT.parent / "shared" / "corpus"
@@ -25,12 +27,17 @@ PRECISION = "docs/precision.toml"
 def count_corpus(into: Path) -> Path:
     """Count every rule's findings over the corpus, those that are off included."""
     batch = check([str(CORPUS)], Settings(select=tuple(r.code.id for r in rules())))
+    scripts = len(discover(str(CORPUS), extensions=(SCRIPT_EXTENSION,)))
     levels: dict[str, set[str]] = defaultdict(set)
     findings: dict[str, int] = defaultdict(int)
     for diagnostic in batch.diagnostics:
         findings[diagnostic.code.id] += 1
         levels[diagnostic.code.id].add(diagnostic.path)
-    lines = ["# Made by `make counts` from the corpus of real mods.", f"files = {batch.files}"]
+    lines = [
+        "# Made by `make counts` from the corpus of real mods.",
+        f"levels = {batch.files - scripts}",
+        f"scripts = {scripts}",
+    ]
     for rule in rules():
         code = rule.code.id
         lines.append(f"{code} = {{ findings = {findings[code]}, files = {len(levels[code])} }}")
@@ -56,6 +63,17 @@ def rule_pages(into: Path) -> list[Path]:
     return [*made, index]
 
 
+_PLACE = {"levels": "level", "scripts": "script"}
+
+
+def _looked_at(rule: Rule, counts: dict[str, Any]) -> tuple[str, int]:
+    """What a rule looks at, in words, and how many of them were counted."""
+    levels, scripts = int(counts["levels"]), int(counts["scripts"])
+    if rule.looks_at == ANY_DOCUMENT:
+        return "levels and scripts", levels + scripts
+    return ("scripts", scripts) if rule.looks_at == (Script,) else ("levels", levels)
+
+
 def _table(path: Path) -> dict[str, Any]:
     return tomllib.loads(path.read_text()) if path.exists() else {}
 
@@ -63,7 +81,10 @@ def _table(path: Path) -> dict[str, Any]:
 def _index(counts: dict[str, Any]) -> Iterator[str]:
     yield "# Rules"
     yield ""
-    yield f"Findings are counted over {counts.get('files', 0)} real JKL files; rules that are off run when selected."
+    yield (
+        f"Findings are counted over {counts.get('levels', 0)} real levels and {counts.get('scripts', 0)} real scripts; "
+        "rules that are off run when selected."
+    )
     yield ""
     yield "| code | name | severity | findings | in files | reports |"
     yield "|---|---|---|---|---|---|"
@@ -90,11 +111,12 @@ def _page(rule: Rule, counts: dict[str, Any], precision: dict[str, Any]) -> Iter
         for option in options:
             yield f"- `{option.name} = {option.default}`: {option.description}"
     count = counts.get(rule.code.id)
+    kind, files = _looked_at(rule, counts)
     if count:
         yield ""
-        yield "## On real levels"
-        yield f"{count['findings']} findings in {count['files']} of {counts['files']} files."
+        yield f"## On real {kind}"
+        yield f"{count['findings']} findings in {count['files']} of {files} {kind}."
     if precision:
         read, true = precision["read"], precision["true"]
-        verdict = f"Of {read} read in the level, {true} were true. " if read else ""
+        verdict = f"Of {read} read in the {_PLACE.get(kind, 'file')}, {true} were true. " if read else ""
         yield f"{verdict}{precision.get('note', '')}".strip()

@@ -16,10 +16,12 @@ from jktools.cli.status import Status
 from jktools.emit.printable import printable
 
 COMMANDS = {
-    "lint": "find what is wrong with levels",
+    "lint": "find what is wrong with levels and scripts",
     "build": "compile levels to binary files",
     "inspect": "show what a compiled level holds",
+    "cog": "show what COG scripts hold",
     "sight": "explain whether one point of a level sees another",
+    "template": "explain where a template's or thing's values come from",
     "pack": "list, extract and create GOB packs",
     "explain": "show a rule's documentation",
     "rules": "list the rules",
@@ -97,6 +99,12 @@ def _let_go_of_stdout() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+base_option = click.option(
+    "--base", multiple=True, metavar="PATH",
+    help="A folder or pack with the game's own files, searched after the level's own. May be repeated.",
+)  # fmt: skip
+
+
 def common(function: Any) -> Any:
     """The options that every command over levels has."""
     options = (
@@ -104,6 +112,7 @@ def common(function: Any) -> Any:
             "--game", type=click.Choice(["jk", "mots"]), default=None,
             help="The game whose reading applies. [default: mots for a GOO, else jk]",
         ),
+        base_option,
         click.option(
             "--config", metavar="FILE", default=None,
             help="The configuration to use, or none for none. [default: jktools.toml found upward from each PATH]",

@@ -10,9 +10,12 @@ from jktools.cli.app import common, note, problem
 from jktools.cli.configured import configured, overridden
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
+from jktools.compiler import CHOICES, CompileSettings
 from jktools.emit.printable import printable
 from jktools.session import build_all
 from jktools.session.settings import Game
+
+_PASS = click.Choice(CHOICES)
 
 
 @click.command("build")
@@ -21,24 +24,48 @@ from jktools.session.settings import Game
     "-o", "--output", "out", type=click.Path(path_type=Path), required=True, metavar="OUT",
     help="A folder, or a .jklb file when there is one level.",
 )  # fmt: skip
+@click.option(
+    "--cut-anyway", is_flag=True,
+    help="Leave out templates that nothing is known to reach, though not all COGs are at hand to tell.",
+)  # fmt: skip
+@click.option("--only", multiple=True, type=_PASS, metavar="PASS", help="Run this pass and those that it needs.")
+@click.option("--skip", multiple=True, type=_PASS, metavar="PASS", help="Do not run this pass.")
+@click.option("--keep-going", is_flag=True, help="Leave out the section of a pass that fails, and compile the rest.")
 @click.option("-q", "--quiet", is_flag=True, help="Do not list what was written.")
 @common
 def command(
-    paths: tuple[str, ...], out: Path, quiet: bool, game: Game | None, config: str | None, strict_grammar: bool
+    paths: tuple[str, ...],
+    out: Path,
+    cut_anyway: bool,
+    only: tuple[str, ...],
+    skip: tuple[str, ...],
+    keep_going: bool,
+    quiet: bool,
+    game: Game | None,
+    base: tuple[str, ...],
+    config: str | None,
+    strict_grammar: bool,
 ) -> int:
     """Compile every level found to OUT/<name>.jklb.
 
+    A level keeps the templates that it can reach. While a COG that it uses cannot be read, which often lies in the
+    game's own files (--base), all of them stay; `jktools inspect` tells.
+
     Levels of the same name from several packs go to OUT/<pack>/<name>.jklb. A JKL without GEORESOURCE, as
-    static.jkl, is skipped with a note.
+    static.jkl, is skipped with a note. A pass computes one section of the file; `jktools inspect` tells which ran and
+    why another did not.
 
     Exit status: 0 all written, 1 a level cannot be compiled, 2 bad usage or a PATH that cannot be read, 3 a bug in
     jktools.
     """
     # A level's name in OUT depends on all levels, so one configuration serves them all: that of the first path.
     _, found = next(configured(paths, config))
-    settings = overridden(found.settings, game, strict_grammar)
+    settings = overridden(found.settings, game, base, strict_grammar)
     with progress("compiling") as report:
-        built = build_all(paths, out, settings, report)
+        compiling = CompileSettings(
+            only=frozenset(only), skip=frozenset(skip), keep_going=keep_going, cut_anyway=cut_anyway
+        )
+        built = build_all(paths, out, settings, report, compiling)
     if not quiet:
         for level, target, size in built.written:
             click.echo(printable(f"{level} -> {target} ({size} bytes)"))

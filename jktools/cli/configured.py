@@ -30,6 +30,7 @@ def _chosen(path: str, config: str | None) -> Path | None:
 def overridden(
     settings: Settings,
     game: Game | None,
+    base: tuple[str, ...],
     strict_grammar: bool,
     select: tuple[str, ...] = (),
     ignore: tuple[str, ...] = (),
@@ -41,6 +42,7 @@ def overridden(
     return replace(
         settings,
         game=game or settings.game,
+        base=base or settings.base,
         select=select or settings.select,
         ignore=ignore if select else (*settings.ignore, *ignore),
         strict_grammar=strict_grammar,

@@ -45,6 +45,7 @@ def command(
     fail_on: FailOn | None,
     color: str,
     game: Game | None,
+    base: tuple[str, ...],
     config: str | None,
     strict_grammar: bool,
 ) -> int:
@@ -59,7 +60,7 @@ def command(
     try:
         with progress("linting") as report:
             for group, found in configured(paths, config):
-                settings = overridden(found.settings, game, strict_grammar, _split(select), _split(ignore))
+                settings = overridden(found.settings, game, base, strict_grammar, _split(select), _split(ignore))
                 batch = check(group, settings, report)
                 status = max(status, of_findings(batch.diagnostics, _threshold(fail_on or found.fail_on)))
                 whole = whole.joined(batch)

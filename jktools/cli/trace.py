@@ -8,11 +8,13 @@ from typing import Any, NamedTuple
 
 import click
 
+from jktools.cli.app import base_option
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
 from jktools.engine.simulation import History
+from jktools.model import Level
 from jktools.session.levels import load
 from jktools.trace import fit, recording, script, trace
 from jktools.trace.fitting import Fit, FitError, Interval
@@ -52,6 +54,7 @@ def command() -> None:
 @click.option("--set", "settings", metavar="NAME=VALUE", multiple=True, help="Change one of walkplayer's parameters.")
 @click.option("--level", metavar="PATH", help="Walk in this level, on its floors and against its walls; needs --at.")
 @click.option("--at", "place", metavar="THING|x,y,z,sector", help="Where in the level: a thing's number, or a point.")
+@base_option
 def run_command(
     path: Path,
     output: Path | None,
@@ -61,6 +64,7 @@ def run_command(
     settings: tuple[str, ...],
     level: str | None,
     place: str | None,
+    base: tuple[str, ...],
 ) -> None:
     """Simulate walkplayer under SCRIPT."""
     if output is not None and output.suffix.lower() not in (".csv", ".m", ".png"):
@@ -70,7 +74,10 @@ def run_command(
     options = _Options(_body(settings), Engine(engine), Scheme(scheme) if scheme else None, fps)
     try:
         text = path.read_text(encoding="utf-8")
-        history = trace(text, **options._asdict()) if level is None else _in_level(text, level, place or "", options)
+        if level is None:
+            history = trace(text, **options._asdict())
+        else:
+            history = _in_level(text, load(level, base), place or "", options)
     except ValueError as error:
         raise click.ClickException(f"{path}: {error}") from None
     if output is None:
@@ -87,12 +94,11 @@ class _Options(NamedTuple):
     fps: float
 
 
-def _in_level(text: str, path: str, place: str, options: _Options) -> History:
-    level = load(path)
+def _in_level(text: str, level: Level, place: str, options: _Options) -> History:
     try:
         start = start_at(level, place)
     except ValueError as error:
-        raise click.BadParameter(f"{path}: {error}", param_hint="--at") from None
+        raise click.BadParameter(f"{level.path}: {error}", param_hint="--at") from None
     return trace_in_level(text, level, start, **options._asdict())
 
 

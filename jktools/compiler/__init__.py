@@ -1,14 +1,20 @@
 """From a level to one binary file, and back to arrays that are views of it."""
 
-from jktools.compiler.errors import CompiledFileError, CompileError
+from jktools.compiler.errors import CompiledFileError, CompileError, PassError
+from jktools.compiler.passes import CHOICES
 from jktools.compiler.reader import CompiledLevel, open_compiled
-from jktools.compiler.writer import CompileSettings, compile_level
+from jktools.compiler.settings import CompileSettings
+from jktools.compiler.writer import Compilation, compilation, compile_level
 
 __all__ = [
+    "CHOICES",
+    "Compilation",
     "CompileError",
     "CompileSettings",
     "CompiledFileError",
     "CompiledLevel",
+    "PassError",
+    "compilation",
     "compile_level",
     "open_compiled",
 ]

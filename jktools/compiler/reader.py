@@ -17,8 +17,9 @@ from jktools.compiler.checksum import is_intact
 from jktools.compiler.columns import SECTIONS, Column
 from jktools.compiler.errors import CompiledFileError
 from jktools.compiler.ranges import first_fault
+from jktools.geometry import expanded, unpacked
 
-FORMAT_MAJOR, FORMAT_MINOR = 1, 0
+FORMAT_MAJOR, FORMAT_MINOR = 1, 1
 """Version of the format that this code writes; it reads every file of the same major version."""
 
 IDENTIFIER = b"JKLB"
@@ -58,6 +59,7 @@ class CompiledLevel:
     templates: Section | None
     things: Section | None
     cogs: Section | None
+    visibility: Section | None
 
     def __init__(self, data: bytes | memoryview, path: str = "<bytes>", *, verify: bool = False) -> None:
         """Check and view a buffer. Raises CompiledFileError; `verify` compares the checksum too."""
@@ -99,7 +101,8 @@ class CompiledLevel:
 
     def _columns(self, section: str) -> dict[str, npt.NDArray[Any]]:
         table = self._table(section)
-        return {name: _view(table, name, column) for name, column in SECTIONS[section].items()}
+        minor = self._root.FormatMinor()
+        return {name: _view(table, name, column) for name, column in SECTIONS[section].items() if column.since <= minor}
 
     def _text(self, data: bytes) -> str:
         try:
@@ -111,6 +114,24 @@ class CompiledLevel:
     def strings(self) -> tuple[str, ...]:
         """Every text of the level."""
         return tuple(self._text(self._root.Strings(i)) for i in range(self._root.StringsLength()))
+
+    @cached_property
+    def visible_sectors(self) -> npt.NDArray[np.bool_] | None:
+        """Which sectors can be seen from which, (n, n): row a, column b. None for a file without that section.
+
+        Expanded when first asked for. Raises CompiledFileError when a row is damaged.
+        """
+        if self.visibility is None:
+            return None
+        count = len(self.geometry.sector_flags)
+        matrix = np.zeros((count, (count + 7) // 8), np.uint8)
+        start, data = self.visibility.row_start, self.visibility.row.tobytes()
+        try:
+            for i, sector in enumerate(self.visibility.sector):
+                matrix[sector] = np.frombuffer(expanded(data[start[i] : start[i + 1]], matrix.shape[1]), np.uint8)
+        except ValueError as error:
+            raise CompiledFileError(f"cannot read {self.path}: the file is damaged; build it again") from error
+        return unpacked(matrix)
 
     @property
     def format(self) -> str:
@@ -160,6 +181,20 @@ class CompiledLevel:
             kind: len(self.sections[section].columns[column]) if section in self.sections else 0
             for kind, (section, column) in counted.items()
         }
+
+    @property
+    def omissions(self) -> list[dict[str, Any]]:
+        """What was left out: section, reason, and for each record its position and name."""
+        entries = [self._root.Omissions(i) for i in range(self._root.OmissionsLength())]
+        return [
+            {
+                "section": self._text(e.Section()),
+                "reason": self._text(e.Reason()),
+                "source": [int(e.Source(i)) for i in range(e.SourceLength())],
+                "name": [self._text(e.Name(i)) for i in range(e.NameLength())],
+            }
+            for e in entries
+        ]
 
     @property
     def passes(self) -> dict[str, dict[str, Any]]:

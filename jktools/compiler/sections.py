@@ -3,17 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from jktools.compiler.columns import RESOURCES
+from jktools.compiler.cut import Omission, choose
+from jktools.compiler.settings import CompileSettings
+from jktools.facts import LevelFacts
+from jktools.geometry import compressed
 from jktools.model import Level
+from jktools.model.templates import Resolved, Setting
 from jktools.syntax.jkl import Parameters
+from jktools.syntax.template.parameters import MOVES, PARAMETERS, TYPES
+from jktools.syntax.template.values import ValueKind
 
 Columns = Mapping[str, npt.NDArray[Any]]
 Rows = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class NotNeeded:
+    """Nothing in the scene calls for a section."""
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """A section that leaves records out."""
+
+    columns: Columns
+    note: str
+    omissions: tuple[Omission, ...]
 
 
 class Strings:
@@ -32,13 +56,15 @@ class Strings:
         return np.array([self._index.setdefault(text, len(self._index)) for text in texts], np.uint32)
 
 
-def resources(level: Level, strings: Strings) -> Columns:
+def resources(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns:
     """The plain lists."""
+    level = facts.level
     return {key: strings.indices(level.names(key)) for key in RESOURCES}
 
 
-def geometry(level: Level, strings: Strings) -> Columns:
+def geometry(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns:
     """Vertices, adjoins, surfaces and sectors as written, with the references between them."""
+    level = facts.level
     adjoins, surfaces, sectors = level.document.adjoins, level.document.surfaces, level.document.sectors
     sounds = iter(strings.indices(sound for sound in sectors.sound if sound is not None))
     return {
@@ -81,26 +107,67 @@ def geometry(level: Level, strings: Strings) -> Columns:
     }
 
 
-def templates(level: Level, strings: Strings) -> Columns | None:
-    """Templates as written, without those that the engine drops; None when there are none."""
-    table = level.document.templates
-    kept = np.array([t.index for t in level.templates if t.dropped is None], np.intp)
+def templates(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Cut | NotNeeded:
+    """The templates that the level can reach, as written and as the engine holds them."""
+    level = facts.level
+    chosen = choose(facts, cut_anyway=settings.cut_anyway)
+    kept = chosen.kept
     if not len(kept):
-        return None
-    return {
+        return NotNeeded(chosen.note if len(level.templates) else "the level lists no template")
+    table = level.document.templates
+    columns: Columns = {
         "source": kept,
         "name": strings.indices(table.names[i] for i in kept),
         "parent": strings.indices(table.parents[i] for i in kept),
         **_parameters(table.parameters, kept, strings),
+        **_resolved(level, [level.resolved_templates[i] for i in kept.tolist()], strings),
+    }
+    return Cut(columns, chosen.note, chosen.omissions)
+
+
+def _resolved(level: Level, held: Sequence[Resolved], strings: Strings) -> Columns:
+    settings = [[(key, each.values[key]) for key in PARAMETERS if key in each.values] for each in held]
+    flat = [item for each in settings for item in each]
+    numbers = [_numbers(setting.value) for _, setting in flat]
+    owners = [setting.origins[0].owner for _, setting in flat]
+    return {
+        "type": np.array([TYPES.index(each.type) for each in held]),
+        "move": np.array([MOVES.index(each.move) for each in held]),
+        "has_ai": np.array([each.has_ai for each in held]),
+        "value_start": _starts([len(each) for each in settings]),
+        "value_key": strings.indices(key for key, _ in flat),
+        "value_text": np.array([_name(setting, strings) for _, setting in flat]),
+        "value_source": np.array([owner.index if owner.level is level else -1 for owner in owners]),
+        "number_start": _starts([len(each) for each in numbers]),
+        "number": np.array([number for each in numbers for number in each], np.float64),
     }
 
 
-def things(level: Level, strings: Strings) -> Columns | None:
-    """Things as placed, without those that the engine drops; None when there are none."""
+def _starts(counts: Sequence[int]) -> npt.NDArray[np.int64]:
+    return np.concatenate([[0], np.cumsum(np.array(counts, np.int64))])
+
+
+def _name(setting: Setting, strings: Strings) -> int:
+    """The name as the engine looks it up, or -1."""
+    if setting.use.kind is not ValueKind.WORD or setting.value is None:
+        return -1
+    names = setting.value if isinstance(setting.value, tuple) else (setting.value,)
+    return int(strings.indices([" ".join(map(str, names))])[0])
+
+
+def _numbers(value: object) -> list[float]:
+    if isinstance(value, tuple):
+        return [number for part in value for number in _numbers(part)]
+    return [float(value)] if isinstance(value, (int, float)) else []
+
+
+def things(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+    """Things as placed, without those that the engine drops."""
+    level = facts.level
     table = level.document.things
     kept = np.array([t.index for t in level.things if t.dropped is None], np.intp)
     if not len(kept):
-        return None
+        return NotNeeded("no thing is placed")
     return {
         "source": kept,
         "number": table.number[kept],
@@ -114,16 +181,29 @@ def things(level: Level, strings: Strings) -> Columns | None:
     }
 
 
-def cogs(level: Level, strings: Strings) -> Columns | None:
-    """Placed COGs with their values; None when there are none."""
+def cogs(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+    """Placed COGs with their values."""
+    level = facts.level
     table = level.document.cogs
     if not len(table):
-        return None
+        return NotNeeded("no COG is placed")
     return {
         "source": np.arange(len(table)),
         "script": strings.indices(table.scripts),
         "value_start": table.value_start,
         "value": strings.indices(table.values),
+    }
+
+
+def visibility(facts: LevelFacts, _: Strings, settings: CompileSettings) -> Columns | NotNeeded:
+    """Which sectors can be seen from which, a compressed row a sector."""
+    rows = [compressed(row.tobytes()) for row in facts.visible_sectors(settings.accuracy).rows]
+    if not rows:
+        return NotNeeded("the level has no sector")
+    return {
+        "sector": np.arange(len(rows)),
+        "row_start": np.concatenate([[0], np.cumsum([len(row) for row in rows])]),
+        "row": np.frombuffer(b"".join(rows), np.uint8),
     }
 
 

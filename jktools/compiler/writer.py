@@ -14,10 +14,14 @@ from jktools import __version__
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import seal
 from jktools.compiler.columns import SECTIONS
+from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
+from jktools.compiler.passes import Outcome, Progress, run
 from jktools.compiler.reader import FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
-from jktools.compiler.sections import Columns, Strings, cogs, geometry, resources, templates, things
+from jktools.compiler.sections import Columns, Strings
+from jktools.compiler.settings import CompileSettings
 from jktools.diagnostics import Severity
+from jktools.facts import LevelFacts
 from jktools.model import Level
 
 ALIGNMENT = 8
@@ -28,33 +32,42 @@ FIRST_GUESS = 1 << 20
 
 
 @dataclass(frozen=True, slots=True)
-class CompileSettings:
-    """What a level is compiled for; recorded in the file."""
+class Compilation:
+    """A compiled level, and what went wrong on the way."""
 
-    engine: str = "research"
-    accuracy: str = "balanced"
+    data: bytes
+    failures: tuple[str, ...]
+    """Bugs in jktools: a sentence for each pass that failed, whose section is absent."""
 
 
 def compile_level(level: Level, settings: CompileSettings | None = None) -> bytes:
-    """Compile a level. Raises CompileError when the engine would refuse it or read beyond its lists."""
+    """Compile a level as `compilation` does, and give the file's bytes alone."""
+    return compilation(level, settings).data
+
+
+def compilation(
+    level: Level,
+    settings: CompileSettings | None = None,
+    facts: LevelFacts | None = None,
+    progress: Progress = lambda _: None,
+) -> Compilation:
+    """Compile a level.
+
+    Raises CompileError when the engine would refuse it or read beyond its lists, PassError when a pass fails and the
+    settings do not say to keep going.
+    """
     settings = settings or CompileSettings()
     _refuse_broken(level)
     strings = Strings()
-    sections: dict[str, Columns | None] = {
-        "resources": resources(level, strings),
-        "geometry": geometry(level, strings),
-        "templates": templates(level, strings),
-        "things": things(level, strings),
-        "cogs": cogs(level, strings),
-    }
-    data = _assemble(level, settings, strings, sections)
+    outcomes = run(facts or LevelFacts(level), strings, settings, progress)
+    data = _assemble(level, settings, strings, outcomes)
     try:
         CompiledLevel(data, level.path)
     except CompiledFileError as error:
         raise CompileError(
             f"cannot compile {level.path}: {error.__cause__ or error}; `jktools lint` tells where"
         ) from error
-    return data
+    return Compilation(data, tuple(o.note for o in outcomes.values() if o.failed))
 
 
 def _refuse_broken(level: Level) -> None:
@@ -71,17 +84,18 @@ def _refuse_broken(level: Level) -> None:
         )
 
 
-def _assemble(
-    level: Level, settings: CompileSettings, strings: Strings, sections: Mapping[str, Columns | None]
-) -> bytes:
+def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcomes: Mapping[str, Outcome]) -> bytes:
     builder = flatbuffers.Builder(FIRST_GUESS)
     offsets: dict[str, int] = {}
-    for name, columns in sections.items():
-        if columns is not None:
-            offsets[name] = _section(builder, name, columns)
+    for name, outcome in outcomes.items():
+        if outcome.columns is not None:
+            offsets[name] = _section(builder, name, outcome.columns)
     offsets["world"] = _world(builder, level)
     offsets["strings"] = _strings(builder, strings.texts)
-    offsets["passes"] = _passes(builder, sections)
+    offsets["passes"] = _passes(builder, outcomes)
+    omissions = [omission for outcome in outcomes.values() for omission in outcome.omissions]
+    if omissions:
+        offsets["omissions"] = _omissions(builder, omissions)
     offsets["settings"] = _table(
         builder, "Settings",
         game=builder.CreateString(level.game), engine=builder.CreateString(settings.engine),
@@ -135,20 +149,26 @@ def _inputs(builder: flatbuffers.Builder, level: Level) -> int:
     return _offsets(builder, [_table(builder, "Input", path=path, sha256=_vector(builder, digest))])
 
 
-WHY_NOT = {
-    "templates": "the level lists no template",
-    "things": "no thing is placed",
-    "cogs": "no COG is placed",
-}
-"""Why a section is absent."""
+def _omissions(builder: flatbuffers.Builder, omissions: Sequence[Omission]) -> int:
+    return _offsets(
+        builder,
+        [
+            _table(
+                builder, "Omission", section=builder.CreateString(each.section),
+                reason=builder.CreateString(each.reason), source=_vector(builder, np.array(each.source, "<i4")),
+                name=_strings(builder, each.names),
+            )
+            for each in omissions
+        ],
+    )  # fmt: skip
 
 
-def _passes(builder: flatbuffers.Builder, sections: Mapping[str, Columns | None]) -> int:
+def _passes(builder: flatbuffers.Builder, outcomes: Mapping[str, Outcome]) -> int:
     passes = []
-    for name, columns in sections.items():
-        fields: dict[str, int] = {"name": builder.CreateString(name), "ran": columns is not None}
-        if columns is None:
-            fields["note"] = builder.CreateString(WHY_NOT[name])
+    for name, outcome in outcomes.items():
+        fields: dict[str, int] = {"name": builder.CreateString(name), "ran": outcome.columns is not None}
+        if outcome.note:
+            fields["note"] = builder.CreateString(outcome.note)
         passes.append(_table(builder, "Pass", **fields))
     return _offsets(builder, passes)
 

@@ -1,4 +1,4 @@
-"""Comments that hide findings: `# jktools: ignore JK201 -- the reason`.
+"""Comments that hide findings: `# jktools: ignore JK201 -- the reason`, in COG code also behind `//`.
 
 On a line of its own such a comment speaks for the next line that is neither empty nor a comment; behind something it
 speaks for its own line; `ignore-file` speaks for the whole file.
@@ -7,7 +7,7 @@ speaks for its own line; `ignore-file` speaks for the whole file.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from jktools.diagnostics.diagnostic import Code, Diagnostic, Label, Severity
@@ -17,9 +17,35 @@ UNUSED_SUPPRESSION = Code("JK020", "unused-suppression", Severity.WARNING)
 MALFORMED_SUPPRESSION = Code("JK021", "malformed-suppression", Severity.WARNING)
 
 _MARK = "jktools:"
-_COMMENT = re.compile(r"(?P<sign>#|^;)[ \t]*jktools:[ \t]*(?P<text>[^\r\n]*)", re.MULTILINE)
 _TEXT = re.compile(r"(?P<scope>ignore|ignore-file)[ \t]+(?P<codes>(?:(?!--).)+?)[ \t]*(?:--[ \t]*(?P<reason>.*))?$")
-_EMPTY = re.compile(r"[ \t]*(#|$)|;")
+
+
+@dataclass(frozen=True, slots=True)
+class CommentStyle:
+    """How comments look from a place of a file on."""
+
+    marked: re.Pattern[str]
+    """Finds comments with our mark; the group `text` is what follows it, None where something else was found."""
+    no_content: re.Pattern[str]
+    """Matches at the start of a line that holds nothing, or a comment alone."""
+    start: int = 0
+    """Byte offset from which on comments look so."""
+
+
+LINES = CommentStyle(
+    re.compile(r"(?:#|^;)[ \t]*jktools:[ \t]*(?P<text>[^\r\n]*)", re.MULTILINE), re.compile(r"[ \t]*(#|$)|;")
+)
+"""Levels, and the headers of scripts."""
+
+_CODE = re.compile(
+    r""""(?:[^\\"]++|\\.)*+"|'(?:[^\\']++|\\.)*+'|(?://|\#)(?:[ \t]*jktools:[ \t]*(?P<text>[^\r\n]*))?[^\n]*"""
+)
+_CODE_EMPTY = re.compile(r"[ \t]*(//|#|$)")
+
+
+def code_comments(start: int) -> CommentStyle:
+    """Comments of COG code, which starts at a byte offset: `//` or `#`, outside strings and vectors."""
+    return CommentStyle(_CODE, _CODE_EMPTY, start)
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,13 +68,18 @@ class Suppression:
         return span is not None and span.source is self.span.source and span.first.line == self.line
 
 
-def suppressions(source: Source) -> tuple[list[Suppression], list[Diagnostic]]:
-    """The comments of a file, and what is wrong with those that cannot be understood."""
+def suppressions(
+    source: Source, styles: Sequence[CommentStyle] = (LINES,)
+) -> tuple[list[Suppression], list[Diagnostic]]:
+    """The comments of a file, and what is wrong with those that cannot be understood.
+
+    Each style reaches to where the next one starts.
+    """
     found: list[Suppression] = []
     faults: list[Diagnostic] = []
     if _MARK not in source.text:
         return found, faults
-    for comment in _COMMENT.finditer(source.text):
+    for comment, style in _marked(source.text, styles):
         span = source.span(comment.start(), comment.start() + len(comment.group().rstrip()))
         understood = _TEXT.match(comment["text"].strip())
         if understood is None:
@@ -62,12 +93,20 @@ def suppressions(source: Source) -> tuple[list[Suppression], list[Diagnostic]]:
             )  # fmt: skip
             continue
         codes = tuple(re.split(r"[,\s]+", understood["codes"].strip()))
-        line = None if understood["scope"] == "ignore-file" else _target(source, span)
+        line = None if understood["scope"] == "ignore-file" else _target(source, span, style)
         found.append(Suppression(span, codes, line))
     return found, faults
 
 
-def _target(source: Source, comment: Span) -> int:
+def _marked(text: str, styles: Sequence[CommentStyle]) -> Iterator[tuple[re.Match[str], CommentStyle]]:
+    ends = [*(style.start for style in styles[1:]), len(text)]
+    for style, end in zip(styles, ends, strict=True):
+        for comment in style.marked.finditer(text, style.start, end):
+            if comment["text"] is not None:
+                yield comment, style
+
+
+def _target(source: Source, comment: Span, style: CommentStyle) -> int:
     """The line that a comment speaks for."""
     line, column = comment.first
     if source.line(line)[: column - 1].strip():
@@ -75,7 +114,7 @@ def _target(source: Source, comment: Span) -> int:
     last = source.position(len(source.data)).line
     while line < last:
         line += 1
-        if not _EMPTY.match(source.line(line)):
+        if not style.no_content.match(source.line(line)):
             break
     return line
 

@@ -18,7 +18,7 @@ VERSION = 1
 
 def findings(diagnostics: Sequence[Diagnostic], files: int) -> str:
     """The report of a lint run; its shape is docs/lint.schema.json."""
-    return _dump(
+    return dump(
         {
             "version": VERSION,
             "tool": {"name": "jktools", "version": __version__},
@@ -26,7 +26,7 @@ def findings(diagnostics: Sequence[Diagnostic], files: int) -> str:
                 "files": files,
                 **{str(s): sum(d.severity is s for d in diagnostics) for s in reversed(Severity)},
             },
-            "diagnostics": [_diagnostic(d) for d in diagnostics],
+            "diagnostics": [diagnostic_object(d) for d in diagnostics],
         }
     )
 
@@ -40,7 +40,7 @@ def compiled(level: CompiledLevel) -> str:
         }
         for name, section in level.sections.items()
     }
-    return _dump(
+    return dump(
         {
             "format": level.format,
             "level": {
@@ -53,13 +53,14 @@ def compiled(level: CompiledLevel) -> str:
             "sections": sections,
             "counts": level.counts,
             "passes": level.passes,
+            "omissions": level.omissions,
         }
     )
 
 
 def pack(container: Container) -> str:
     """What `pack list` says of a container, in its own order."""
-    return _dump(
+    return dump(
         {
             "version": VERSION,
             "path": container.path,
@@ -68,11 +69,13 @@ def pack(container: Container) -> str:
     )
 
 
-def _dump(value: dict[str, Any]) -> str:
+def dump(value: dict[str, Any]) -> str:
+    """JSON, indented, with a line break at the end."""
     return msgspec.json.format(msgspec.json.encode(value), indent=2).decode() + "\n"
 
 
-def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
+def diagnostic_object(diagnostic: Diagnostic) -> dict[str, Any]:
+    """A finding as it stands in JSON."""
     place = _place(diagnostic.label)
     last = diagnostic.label.span.last if diagnostic.label.span else None
     subject = diagnostic.subject

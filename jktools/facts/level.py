@@ -5,8 +5,14 @@ from __future__ import annotations
 from functools import cached_property
 
 from jktools import geometry
-from jktools.facts.templates import template_types, thing_types
+from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.movers import Mover, movers
+from jktools.facts.openings import named_by_cogs
+from jktools.facts.reachability import Reach, reach
+from jktools.facts.script import ScriptFacts
+from jktools.facts.standing import Carriers
 from jktools.geometry import (
+    Accuracy,
     Alignment,
     Convexity,
     Corners,
@@ -17,17 +23,26 @@ from jktools.geometry import (
     Planarity,
     SectorMesh,
     Turns,
+    VisibleSectors,
 )
+from jktools.geometry.collision import Collision
 from jktools.geometry.validity import Int32
 from jktools.model import Level
+from jktools.model.cog.program import Vocabulary
+from jktools.model.resources import Kind
+from jktools.source import InputError
+from jktools.syntax.assets.material import read_material
+from jktools.syntax.cog import read_script
 
 
 class LevelFacts:
     """Facts are pulled: nothing is computed that no rule or pass asks for, and nothing twice."""
 
-    def __init__(self, level: Level) -> None:
-        """Know nothing yet."""
+    def __init__(self, level: Level, vocabulary: Vocabulary | None = None) -> None:
+        """Know nothing yet; `vocabulary` has the verbs of the user's own build, for the level's scripts."""
         self.level = level
+        self.vocabulary = vocabulary or Vocabulary(level.game)
+        self._cels: dict[int, int | None] = {}
 
     @cached_property
     def convexity(self) -> Convexity:
@@ -50,9 +65,45 @@ class LevelFacts:
         return SectorMesh.from_level(self.level)
 
     @cached_property
+    def collision(self) -> Collision:
+        """The sectors as bodies meet them."""
+        return Collision(self.level)
+
+    @cached_property
+    def reach(self) -> Reach:
+        """The templates and files that the level can reach in play."""
+        return reach(self.level, lambda name: self.scripts.get(name) or self._script(name))
+
+    @cached_property
+    def carriers(self) -> Carriers:
+        """The things that bodies can stand on."""
+        return Carriers(self.level)
+
+    @cached_property
+    def movers(self) -> list[Mover]:
+        """The placed things with frames of their own."""
+        return movers(self.level)
+
+    @cached_property
     def overlaps(self) -> Overlaps:
         """The pairs of sectors that overlap."""
         return geometry.sector_overlaps(self.mesh)
+
+    @cached_property
+    def openable_surfaces(self) -> Int32:
+        """Surfaces that COGs may make see-through; no script is read, so all that a placed COG's values can name."""
+        return named_by_cogs(self.level)
+
+    @cached_property
+    def visibility(self) -> VisibleSectors:
+        """Which sectors can be seen from which, at `balanced`."""
+        return self.mesh.visible_sectors(open_surfaces=self.openable_surfaces)
+
+    def visible_sectors(self, accuracy: Accuracy) -> VisibleSectors:
+        """Which sectors can be seen from which, at any tier."""
+        if accuracy == "balanced":
+            return self.visibility
+        return self.mesh.visible_sectors(accuracy, open_surfaces=self.openable_surfaces)
 
     @cached_property
     def collide_boxes(self) -> tuple[Int32, Outside]:
@@ -85,11 +136,49 @@ class LevelFacts:
         return geometry.sector_vertices(self.level)
 
     @cached_property
-    def template_types(self) -> tuple[str | None, ...]:
-        """Each template's type, up its parents as written; None where that leaves the level."""
-        return template_types(self.level)
+    def scripts(self) -> dict[str, ScriptFacts | None]:
+        """The scripts that the level places, by lower-case name; None for one that cannot be found."""
+        return {name: self._script(name) for name in dict.fromkeys(cog.name.lower() for cog in self.level.cogs)}
+
+    def _script(self, name: str) -> ScriptFacts | None:
+        found = self.level.resources.find(Kind.COG, name)
+        if found is None:
+            return None
+        try:
+            source = self.level.resources.read(found)
+        except InputError:
+            return None
+        return ScriptFacts(read_script(source, self.level.game), self.vocabulary)
 
     @cached_property
-    def thing_types(self) -> tuple[str | None, ...]:
-        """Each thing's type, its template's unless it has its own; None where the template is unknown."""
-        return thing_types(self.level, self.template_types)
+    def instances(self) -> tuple[InstanceFacts, ...]:
+        """The placed scripts, one for each line of the level's `cogs`.
+
+        A script that the engine refuses makes no cog, and all later ones get a number one lower (sithCog_Load in the
+        decompiled engine); one that cannot be found here is taken to lie in the game's own files.
+        """
+        found, number = [], 0
+        for cog in self.level.cogs:
+            script = self.scripts[cog.name.lower()]
+            refused = script is not None and script.script.rejected
+            found.append(InstanceFacts(cog, script, -1 if refused else number))
+            number += not refused
+        return tuple(found)
+
+    def cel_count(self, material: int) -> int | None:
+        """How many cels a material of the level's list has; None where its file is not at hand or is broken."""
+        if material not in self._cels:
+            self._cels[material] = self._count_cels(material)
+        return self._cels[material]
+
+    def _count_cels(self, material: int) -> int | None:
+        if not 0 <= material < len(self.level.materials):
+            return None
+        found = self.level.resources.find(Kind.MATERIAL, self.level.materials[material])
+        if found is None:
+            return None
+        try:
+            read = read_material(self.level.resources.read(found))
+        except InputError:
+            return None
+        return len(read.cels) if read.type >= 0 and not read.diagnostics else None

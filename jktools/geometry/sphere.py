@@ -92,6 +92,19 @@ def above(face: Polygon, point: Vector) -> float:
     return dot(face.normal, _minus(point, face.point))
 
 
+def distance(face: Polygon, point: Vector) -> float:
+    """Give how far a point lies from a polygon, JKU: from its face if it stands over it, else from its sides."""
+    height = above(face, point)
+    if inside(face, _plus(point, face.normal, -height)) >= 0:
+        return abs(height)
+    return min(_from_edge(edge, point) for edge in face.edges)
+
+
+def _from_edge(edge: Edge, point: Vector) -> float:
+    along = min(max(dot(_minus(point, edge.start), edge.along), 0.0), edge.length)
+    return math.dist(point, _plus(edge.start, edge.along, along))
+
+
 def touches(face: Polygon, path: Path) -> Iterator[Touch]:
     """Find where a sphere touches a polygon from its front: its face if it can, else sides and corners."""
     distance = _to_face(face, path)

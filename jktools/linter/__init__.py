@@ -1,4 +1,4 @@
-"""Rules, one a file, and what runs them over a level."""
+"""Rules, one a file, and what runs them over a level or a script."""
 
 from jktools.linter.registry import Selection, UnknownRuleError, find_rule, rules, select
 from jktools.linter.rule import Finding, Options, Rule, reading_rule, rule

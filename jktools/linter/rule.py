@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, NamedTuple, get_args, get_type_hints
 
 import msgspec
 
 from jktools.diagnostics import Code, Diagnostic, Label, Severity, Subject
-from jktools.facts import LevelFacts
+from jktools.facts import AssetFacts, LevelFacts, ScriptFacts
 from jktools.model import Level
+from jktools.model.cog.program import Vocabulary
+from jktools.model.cog.verbs import Verb
+from jktools.syntax.assets.asset import Asset
+from jktools.syntax.cog import Script
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,13 +44,32 @@ class Options(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
 
+Document = Level | Script | Asset
+"""What rules look at."""
+
+ANY_DOCUMENT: tuple[type[Document], ...] = (Level, Script, Asset)
+
+Facts = LevelFacts | ScriptFacts | AssetFacts
+"""What can be known about it."""
+
 Check = Callable[..., Iterable[Finding | Diagnostic]]
-"""`check(level, facts)`, or `check(level, facts, options)` for a rule that has options."""
+"""`check(document, facts)`, or `check(document, facts, options)` for a rule that has options."""
+
+
+NO_VERBS: Mapping[str, Verb] = MappingProxyType({})
+
+
+def facts_of(document: Document, own_verbs: Mapping[str, Verb] = NO_VERBS) -> Facts:
+    """Facts of the kind that rules on such a document take; `own_verbs` are those of the user's own build."""
+    if isinstance(document, Asset):
+        return AssetFacts(document)
+    vocabulary = Vocabulary(document.game, own_verbs)
+    return ScriptFacts(document, vocabulary) if isinstance(document, Script) else LevelFacts(document, vocabulary)
 
 
 @dataclass(frozen=True, slots=True)
 class Example:
-    """A fragment of a level in a rule's docs; tests lay it over a whole level and lint that."""
+    """A fragment of a level or a script in a rule's docs; tests lay it over a whole one and lint that."""
 
     lines: tuple[str, ...]
 
@@ -59,13 +83,15 @@ class Rule:
     check: Check
     options: type[Options] | None = None
     on: bool = True
-    """Whether it runs unless selected or ignored; what is noisy on real levels is off."""
+    """Whether it runs unless selected or ignored; what is noisy on real files is off."""
+    looks_at: tuple[type[Document], ...] = (Level,)
+    """The kinds of documents that it checks."""
 
-    def run(self, level: Level, facts: LevelFacts, options: Options | None = None) -> Iterable[Finding | Diagnostic]:
-        """Check a level with these options, or the defaults."""
+    def run(self, document: Document, facts: Facts, options: Options | None = None) -> Iterable[Finding | Diagnostic]:
+        """Check a document of a kind that it looks at, with these options or the defaults."""
         if self.options is None:
-            return self.check(level, facts)
-        return self.check(level, facts, options if options is not None else self.options())
+            return self.check(document, facts)
+        return self.check(document, facts, options if options is not None else self.options())
 
     @property
     def module(self) -> str:
@@ -101,28 +127,39 @@ class Rule:
 
 
 def rule(
-    code: str, name: str, *, severity: Severity, since: str, options: type[Options] | None = None, on: bool = True
+    code: str,
+    name: str,
+    *,
+    severity: Severity,
+    since: str,
+    options: type[Options] | None = None,
+    on: bool = True,
+    looks_at: type[Document] = Level,
 ) -> Callable[[Check], Rule]:
-    """Make a rule of a function `check(level, facts)` that yields findings.
+    """Make a rule of a function `check(level, facts)`, or `check(script, facts)`, that yields findings.
 
-    With `options` the function takes an instance of them as its third argument.
+    `looks_at` is the kind of document that it takes: `Level` with `LevelFacts`, `Script` with `ScriptFacts`, or `Asset`
+    (or one kind of them) with `AssetFacts`. With
+    `options` the function takes an instance of them as its third argument.
     """
 
     def make(check: Check) -> Rule:
-        return Rule(Code(code, name, severity), since, check, options, on)
+        return Rule(Code(code, name, severity), since, check, options, on, (looks_at,))
 
     return make
 
 
-def reading_rule(code: Code, *, since: str) -> Callable[[Callable[[], None]], Rule]:
-    """Make a rule of what reading a level tells under a code; the function carries only the docs."""
+def reading_rule(
+    code: Code, *, since: str, looks_at: tuple[type[Document], ...] = (Level,)
+) -> Callable[[Callable[[], None]], Rule]:
+    """Make a rule of what reading a document tells under a code; the function carries only the docs."""
 
     def make(documented: Callable[[], None]) -> Rule:
-        def check(level: Level, facts: LevelFacts) -> Iterator[Diagnostic]:  # noqa: ARG001
-            return (d for d in level.diagnostics if d.code == code)
+        def check(document: Document, facts: Facts) -> Iterator[Diagnostic]:  # noqa: ARG001
+            return (d for d in document.diagnostics if d.code == code)
 
         check.__doc__, check.__module__ = documented.__doc__, documented.__module__
-        return Rule(code, since, check)
+        return Rule(code, since, check, looks_at=looks_at)
 
     return make
 

@@ -1,38 +1,42 @@
-"""Runs rules over one level."""
+"""Runs rules over one document: a level, a script or an asset."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
 from jktools.diagnostics import MALFORMED_SUPPRESSION, UNUSED_SUPPRESSION, Diagnostic, Label, Subject
-from jktools.diagnostics.suppression import apply, suppressions
-from jktools.facts import LevelFacts
+from jktools.diagnostics.suppression import LINES, apply, suppressions
 from jktools.linter.registry import UnknownRuleError, find_rule, rules
-from jktools.linter.rule import RULE_FAILED, Options, Rule
-from jktools.model import Level
+from jktools.linter.rule import RULE_FAILED, Document, Facts, Options, Rule, facts_of
+from jktools.syntax.assets.asset import Asset
+from jktools.syntax.cog import Script
 
 
 def lint(
-    level: Level,
+    document: Document,
     chosen: Sequence[Rule] | None = None,
-    facts: LevelFacts | None = None,
+    facts: Facts | None = None,
     options: Mapping[str, Options] | None = None,
 ) -> list[Diagnostic]:
-    """Run rules (those that are on, when none are chosen) over a level and sort what they find.
+    """Run rules (those that are on, when none are chosen) over a level, a script or an asset and sort what they find.
 
-    `options` holds, by code, what differs from a rule's defaults. A rule that raises becomes a
-    finding JK901 about jktools itself, and the others still run.
+    Of the rules, those run that look at such a document. `options` holds, by code, what differs from a rule's
+    defaults. A rule that raises becomes a finding JK901 about jktools itself, and the others still run.
     """
-    facts = facts or LevelFacts(level)
+    facts = facts or facts_of(document)
     options = options or {}
-    running = [r for r in rules() if r.on] if chosen is None else chosen
-    found = [d for each in running for d in _run(each, level, facts, options.get(each.code.id))]
-    return sorted(_suppressed(level, found, running), key=lambda d: d.sort_key)
+    wanted = [r for r in rules() if r.on] if chosen is None else chosen
+    running = [r for r in wanted if isinstance(document, r.looks_at)]
+    found = [d for each in running for d in _run(each, document, facts, options.get(each.code.id))]
+    return sorted(_suppressed(document, found, running), key=lambda d: d.sort_key)
 
 
-def _suppressed(level: Level, found: list[Diagnostic], running: Sequence[Rule]) -> list[Diagnostic]:
-    """Hide what the level's comments hide, and tell of comments that do not work; rules choose what is told."""
-    comments, faults = suppressions(level.source)
+def _suppressed(document: Document, found: list[Diagnostic], running: Sequence[Rule]) -> list[Diagnostic]:
+    """Hide what the document's comments hide, and tell of comments that do not work; rules choose what is told."""
+    if isinstance(document, Asset) and document.is_binary:
+        return found
+    styles = document.comment_styles if isinstance(document, Script) else (LINES,)
+    comments, faults = suppressions(document.source, styles)
     ran = [each.code for each in running]
     for comment in comments:
         for code in comment.codes:
@@ -50,10 +54,10 @@ def _suppressed(level: Level, found: list[Diagnostic], running: Sequence[Rule]) 
     return [d for d in (*kept, *faults) if d.code not in by_comments or d.code in ran]
 
 
-def _run(each: Rule, level: Level, facts: LevelFacts, options: Options | None) -> Iterator[Diagnostic]:
+def _run(each: Rule, document: Document, facts: Facts, options: Options | None) -> Iterator[Diagnostic]:
     latest: Subject | None = None
     try:
-        for finding in each.run(level, facts, options):
+        for finding in each.run(document, facts, options):
             latest = finding.subject
             if isinstance(finding, Diagnostic):
                 yield finding
@@ -65,7 +69,7 @@ def _run(each: Rule, level: Level, facts: LevelFacts, options: Options | None) -
     except Exception as error:
         after = f" after {latest.kind} {latest.index}" if latest else ""
         yield Diagnostic(
-            RULE_FAILED, RULE_FAILED.severity, Label(level.source),
+            RULE_FAILED, RULE_FAILED.severity, Label(document.source),
             f"rule {each.code} ({each.code.name}) failed{after}: {type(error).__name__}: {error}",
-            "this is a bug in jktools; please report it with the level",
+            "this is a bug in jktools; please report it with the file",
         )  # fmt: skip

@@ -8,9 +8,11 @@ import numpy as np
 
 from jktools.diagnostics import Diagnostic
 from jktools.model.objects import Cog, Template, Thing
+from jktools.model.resources import Resources
+from jktools.model.templates import Resolved, TemplateSet
 from jktools.model.views import Adjoin, Records, Sector, Surface
-from jktools.source import Source, Span
-from jktools.syntax.jkl import Document, Header
+from jktools.source import InputError, Source, Span
+from jktools.syntax.jkl import Document, Header, read
 from jktools.syntax.jkl.document import Bool, Float32, Int32
 from jktools.syntax.jkl.reader import GEOMETRY
 
@@ -28,9 +30,13 @@ class Level:
     sections are columns in `document`; records are views made on demand.
     """
 
-    def __init__(self, document: Document) -> None:
-        """Resolve the references of a document. Never raises: what points nowhere resolves to -1."""
+    def __init__(self, document: Document, resources: Resources | None = None) -> None:
+        """Resolve the references of a document. Never raises: what points nowhere resolves to -1.
+
+        `resources` are the files that it can name; without them none is found.
+        """
         self.document = document
+        self.resources = resources or Resources()
 
     def __repr__(self) -> str:
         return (
@@ -173,6 +179,38 @@ class Level:
         for i, name in enumerate(self.document.templates.names):
             index.setdefault(name.lower(), i)
         return index
+
+    @cached_property
+    def resolved_templates(self) -> TemplateSet:
+        """The templates with all that they inherit, as the engine holds them."""
+        heading = self.document.templates.heading
+        return TemplateSet(
+            self.templates,
+            None if heading is None else heading.count,
+            game=self.game,
+            base=None if self.static is None else self.static.resolved_templates,
+            radius_of=self._radius_of,
+        )
+
+    @cached_property
+    def static(self) -> Level | None:
+        """The game's static.jkl, which the engine reads before any level; None where no base holds one."""
+        found = self.resources.static
+        if found is None or found.path == self.path or not self.has_geometry:
+            return None
+        try:
+            return Level(read(self.resources.read(found), self.game))
+        except InputError:
+            return None
+
+    def _radius_of(self, name: str) -> float | None:
+        model = self.resources.model(name)
+        return None if model is None else model.radius
+
+    @cached_property
+    def resolved_things(self) -> tuple[Resolved, ...]:
+        """The things with all that their templates give them."""
+        return tuple(self.resolved_templates.thing(thing) for thing in self.things)
 
     # ---- geometry that can be computed with
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from jktools.model.templates import Resolved
 from jktools.model.views import Sector, View, optional
+from jktools.source import Span
 from jktools.syntax.jkl import Parameters, Table, records
 from jktools.syntax.jkl.document import Float32
+from jktools.syntax.records import WORD
 
 
 class _WithParameters(View):
@@ -17,6 +20,13 @@ class _WithParameters(View):
         """Its own parameters in order, as written, without what it inherits."""
         start, end = self._words.start[self.index], self._words.start[self.index + 1]
         return list(zip(self._words.keys[start:end], self._words.values[start:end], strict=True))
+
+    def parameter_span(self, place: int) -> Span:
+        """Where one of its own parameters stands, counted as in `parameters`."""
+        count = int(self._words.start[self.index + 1] - self._words.start[self.index])
+        words = [*WORD.finditer(self.record.words(self.level.document.lines.text(self.line)))]
+        at = len(words) - count + place
+        return self.level.document.lines.part(self.line, words[at].start(), words[at].end())
 
 
 class Template(_WithParameters):
@@ -49,23 +59,20 @@ class Template(_WithParameters):
         return self.level.document.templates.parents[self.index]
 
     @property
+    def resolved(self) -> Resolved:
+        """What it is with all that it inherits."""
+        return self.level.resolved_templates[self.index]
+
+    @property
     def parent(self) -> Template | None:
-        """The template that it inherits from: the first of that name, and only one that stands before it."""
-        index = self.level.template_by_name.get(self.parent_name.lower(), -1)
-        return self.level.templates[index] if 0 <= index < self.index else None
+        """The template that it inherits from: the one of that name that the engine knows when it reads this one."""
+        parent = self.resolved.parent
+        return parent.owner if parent is not None and isinstance(parent.owner, Template) else None
 
     @property
     def dropped(self) -> str | None:
-        """The engine keeps the first of a name and no more than the heading announces (sithTemplate_Load)."""
-        if self.broken:
-            return "its line could not be read"
-        first = self.level.template_by_name[self.name.lower()]
-        if first != self.index:
-            return f"template {first} has the same name and comes first"
-        heading = self.level.document.templates.heading
-        if heading is not None and self.index >= heading.count:
-            return f"the heading announces {heading.count} templates"
-        return None
+        """The engine keeps the first of a name, nothing without a type, and no more than the heading announces."""
+        return self.resolved.dropped
 
 
 class Thing(_WithParameters):
@@ -105,7 +112,13 @@ class Thing(_WithParameters):
     @property
     def template(self) -> Template | None:
         """Its template; None makes the engine place a blank thing."""
-        return optional(self.level.templates, self.level.template_by_name.get(self.template_name.lower(), -1))
+        found = self.level.resolved_templates.get(self.template_name)
+        return found.owner if found is not None and isinstance(found.owner, Template) else None
+
+    @property
+    def resolved(self) -> Resolved:
+        """What it is with all that its template gives it."""
+        return self.level.resolved_things[self.index]
 
     @property
     def position(self) -> Float32:

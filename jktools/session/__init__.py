@@ -3,6 +3,8 @@
 from jktools.session.batch import Batch, Built, build_all, check
 from jktools.session.config import Config, ConfigError, find_config, load_config
 from jktools.session.levels import build, discover, game_of, load, mesh
+from jktools.session.linting import lint
+from jktools.session.scripts import load_script
 from jktools.session.settings import Ignore, Settings
 
 __all__ = [
@@ -18,7 +20,9 @@ __all__ = [
     "discover",
     "find_config",
     "game_of",
+    "lint",
     "load",
     "load_config",
+    "load_script",
     "mesh",
 ]

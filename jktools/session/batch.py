@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from jktools.compiler import CompileError, compile_level
+from jktools.compiler import CompileError, CompileSettings, PassError, compilation
 from jktools.diagnostics import Diagnostic, Label
 from jktools.linter import Selection, lint, select
-from jktools.linter.rule import FILE_FAILED
+from jktools.linter.rule import FILE_FAILED, facts_of
+from jktools.model import Level
+from jktools.model.resources import Library
 from jktools.session.ignores import unused_ignores, with_settings
-from jktools.session.levels import discover, read_level
+from jktools.session.levels import LEVELS, SCRIPT_EXTENSION, discover, read_level
+from jktools.session.scripts import bound_scripts, read_member_script
 from jktools.session.settings import Settings
 from jktools.session.write import write_atomically
 from jktools.source import InputError, Member, Source
 from jktools.source.container import PACK_SEPARATOR
 from jktools.source.filenames import fault_of
+from jktools.syntax.cog import Script
 
 TRACEBACK_VARIABLE = "JKTOOLS_TRACEBACK"
 """Set in the environment, a bug shows its traceback and ends the run."""
@@ -37,7 +41,7 @@ class Batch:
     diagnostics: list[Diagnostic] = field(default_factory=list)
     """In the one order of every output."""
     files: int = 0
-    """Levels read."""
+    """Levels and scripts read."""
     problems: list[str] = field(default_factory=list)
     """Paths that could not be read, one sentence each."""
 
@@ -54,34 +58,47 @@ class Batch:
 
 
 def check(paths: Sequence[str], settings: Settings | None = None, progress: Progress = silent) -> Batch:
-    """Lint every level that the paths name.
+    """Lint every level and script that the paths name, and the scripts that those levels bind, each once.
 
     A path that cannot be read is told in `Batch.problems`, and the rest is linted all the same. Raises
-    UnknownRuleError when the settings name a rule that does not exist.
+    UnknownRuleError when the settings name a rule that does not exist, InputError when a base cannot be opened.
     """
     settings = settings or Settings()
     rules = select(Selection(settings.select, settings.ignore))
+    library = Library(settings.base)
     batch = Batch()
-    members = _members(paths, batch.problems)
+    members = _members(paths, batch.problems, (*LEVELS, SCRIPT_EXTENSION))
+    known = {_identity(member) for member in members}
     used: set[int] = set()
     seen: list[str] = []
-    for done, member in enumerate(members):
+    for done, member in enumerate(members):  # grows by the scripts that levels bind
         progress(done, len(members), member.path)
         try:
-            level = read_level(member, settings)
+            document = _read(member, settings, library)
+            bound = (
+                [m for m in bound_scripts(document) if _identity(m) not in known] if isinstance(document, Level) else []
+            )
         except InputError as error:
             batch.problems.append(str(error))
             continue
         except Exception as error:
             batch.diagnostics.append(_failed(member, error))
             continue
+        members += bound
+        known.update(map(_identity, bound))
         batch.files += 1
-        found = lint(level, rules, options=settings.options)
+        found = lint(document, rules, facts_of(document, settings.verbs), settings.options)
         batch.diagnostics += with_settings(found, settings, used)
         seen.append(member.path)
     batch.diagnostics += unused_ignores(settings, used, seen, [r.code.id for r in rules])
     batch.diagnostics.sort(key=lambda d: d.sort_key)
     return batch
+
+
+def _read(member: Member, settings: Settings, library: Library) -> Level | Script:
+    if member.extension == SCRIPT_EXTENSION:
+        return read_member_script(member, settings)
+    return read_level(member, settings, library)
 
 
 def _failed(member: Member, error: Exception) -> Diagnostic:
@@ -95,12 +112,12 @@ def _failed(member: Member, error: Exception) -> Diagnostic:
     )  # fmt: skip
 
 
-def _members(paths: Sequence[str], problems: list[str]) -> list[Member]:
-    """The levels of all paths, each once."""
+def _members(paths: Sequence[str], problems: list[str], extensions: Collection[str] = LEVELS) -> list[Member]:
+    """The levels, or what else has one of the extensions, of all paths, each once."""
     members: dict[str, Member] = {}
     for path in paths:
         try:
-            for member in discover(path, problems):
+            for member in discover(path, problems, extensions):
                 members.setdefault(_identity(member), member)
         except InputError as error:
             problems.append(str(error))
@@ -129,40 +146,56 @@ class Built:
     """Files on which jktools itself failed, one sentence each."""
 
 
-def build_all(paths: Sequence[str], out: Path, settings: Settings | None = None, progress: Progress = silent) -> Built:
+def build_all(
+    paths: Sequence[str],
+    out: Path,
+    settings: Settings | None = None,
+    progress: Progress = silent,
+    compiling: CompileSettings | None = None,
+) -> Built:
     """Compile every level that the paths name into files below `out`, or into `out` itself when it names a .jklb.
 
     What cannot be read, compiled or written is told, and the rest is built. Raises InputError when `out` cannot hold
-    the levels.
+    the levels or a base cannot be opened.
     """
     settings = settings or Settings()
     built = Built()
+    library = Library(settings.base)
     members = _members(paths, built.problems)
     targets = _targets(members, out)
     for done, (member, target) in enumerate(zip(members, targets, strict=True)):
+
+        def at_pass(name: str, done: int = done, path: str = member.path) -> None:
+            progress(done, len(members), f"{path}: {name}")
+
         progress(done, len(members), member.path)
         try:
-            _build(member, target, settings, built)
+            level = read_level(member, settings, library)
+            if level.document.sections and not level.has_geometry:
+                built.skipped.append(f"{member.path}: skipped, it has no GEORESOURCE (resources and templates only)")
+                continue
+            fault = fault_of(target.name)
+            if fault:
+                raise InputError(f"cannot write {target}: {fault}")
+            compiled = compilation(level, compiling, progress=at_pass)
+            write_atomically(target, compiled.data)
+            built.written.append((member.path, target, len(compiled.data)))
+            built.bugs += compiled.failures
         except InputError as error:
             built.problems.append(str(error))
         except CompileError as error:
             built.refused.append(str(error))
+        except PassError as error:
+            built.bugs.append(_bug(error))
         except Exception as error:
             built.bugs.append(f"{member.path}: {_failed(member, error).message}")
     return built
 
 
-def _build(member: Member, target: Path, settings: Settings, built: Built) -> None:
-    level = read_level(member, settings)
-    if level.document.sections and not level.has_geometry:
-        built.skipped.append(f"{member.path}: skipped, it has no GEORESOURCE (resources and templates only)")
-        return
-    fault = fault_of(target.name)
-    if fault:
-        raise InputError(f"cannot write {target}: {fault}")
-    data = compile_level(level)
-    write_atomically(target, data)
-    built.written.append((member.path, target, len(data)))
+def _bug(error: PassError) -> str:
+    if os.environ.get(TRACEBACK_VARIABLE):
+        raise error
+    return f"{error}; the rest compiles with --keep-going, and {TRACEBACK_VARIABLE}=1 shows where it failed"
 
 
 COMPILED_SUFFIX = ".jklb"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
@@ -36,6 +36,8 @@ class Member:
     """Where it lies on disk, unless it is in a pack."""
     stored: bytes | None = None
     """The name as a GOB's directory stores it, with what its padding holds; None elsewhere."""
+    holder: Container | None = field(default=None, compare=False, repr=False)
+    """The pack that it lies in; None for a file on disk."""
 
     def read(self) -> Source:
         """Read the file. Raises InputError when it cannot be opened, or a zip holds it damaged."""

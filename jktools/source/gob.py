@@ -55,7 +55,8 @@ class Gob(Pack):
             name = field.split(b"\0", 1)[0].decode("latin-1").replace("\\", "/")
             start = min(offset, len(view))
             end = min(offset + size, len(view))
-            yield Member(self._path_of(name), name, end - start, size, _Slice(self.data, start, end), stored=field)
+            read = _Slice(self.data, start, end)
+            yield Member(self._path_of(name), name, end - start, size, read, stored=field, holder=self)
 
 
 class _Slice:

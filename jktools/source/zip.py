@@ -66,7 +66,8 @@ class Zip(Pack):
             name = info.filename.replace("\\", "/")
             if info.file_size or not name.endswith("/"):  # else a folder; ZipInfo.is_dir raises on an empty name
                 path = self._path_of(name)
-                yield Member(path, name, info.file_size, info.file_size, _Inflate(self, path, info))
+                read = _Inflate(self, path, info)
+                yield Member(path, name, info.file_size, info.file_size, read, holder=self)
 
     def _inflate(self, path: str, info: zipfile.ZipInfo) -> memoryview:
         self._refuse_unreadable(path, info)

@@ -109,6 +109,14 @@ class LogicalLines:
         start = whole.start + len(text) - len(text.lstrip())
         return self.source.span(start, max(start, whole.start + len(text.rstrip())))
 
+    def behind(self, line: int) -> int:
+        """Where the engine's file pointer stands after a line: behind its line feed, or in a line that is too long."""
+        last = self._parts(line)[-1]
+        start, end = int(self._segment_start[last]), int(self._segment_end[last])
+        most = min(start + self.buffer_size - 1, len(self.source.data))
+        feed = self.source.text.find("\n", end, most)
+        return most if feed < 0 else feed + 1
+
     def part(self, line: int, start: int, end: int) -> Span:
         """The bytes behind the characters `start` to `end` of `text(line)`."""
         return self.source.span(self._offset(line, start), self._offset(line, max(start, end - 1)) + (end > start))

@@ -25,10 +25,12 @@ constexpr float kTooFar = 0x1p60f;
 
 Float4 all(float x) { return Float4{x, x, x, x}; }
 
-bool any(Int4 mask) {
-    long long halves[2];
-    std::memcpy(halves, &mask, sizeof mask);
-    return (halves[0] | halves[1]) != 0;
+template <typename Mask>
+bool any(Mask mask) {
+    long long parts[sizeof mask / sizeof(long long)], all = 0;
+    std::memcpy(parts, &mask, sizeof mask);
+    for (const long long part : parts) all |= part;
+    return all != 0;
 }
 
 float least_of(Float8 x) {
@@ -45,11 +47,11 @@ int first_equal(Float8 x, float value) {
     return lane;
 }
 
-// A segment seen from the centre of a room, and the bound of the room's planes at its ends.
+// A segment seen from the centre of a room.
 struct Sightline {
     float a[3], b[3];
-    float reach;  // sum of the greatest coordinates of both ends
-    float bound_b, bound;
+    float reach_b, farthest;  // the greatest coordinate of b, and of both
+    float reach;              // the sum of both ends'
 
     Sightline(const Room& room, const Segment& segment) {
         for (int k = 0; k < 3; ++k) {
@@ -57,87 +59,99 @@ struct Sightline {
             b[k] = static_cast<float>(segment.b[k] - room.center[k]);
         }
         const float reach_a = std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
-        const float reach_b = std::max({std::abs(b[0]), std::abs(b[1]), std::abs(b[2])});
+        reach_b = std::max({std::abs(b[0]), std::abs(b[1]), std::abs(b[2])});
+        farthest = std::max(reach_a, reach_b);
         reach = reach_a + reach_b;
-        bound_b = room.still + room.tilt * reach_b;
-        bound = std::max(bound_b, room.still + room.tilt * reach_a);
     }
 
     bool too_far() const { return !(reach < kTooFar); }
     Float8 at_a(const PlaneBlock& p) const { return p.x * a[0] + p.y * a[1] + p.z * a[2] + p.d; }
     Float8 at_b(const PlaneBlock& p) const { return p.x * b[0] + p.y * b[1] + p.z * b[2] + p.d; }
+    Float8 bound_b(const PlaneBlock& p) const { return p.still + p.tilt * reach_b; }
+    Float8 bound(const PlaneBlock& p) const { return p.still + p.tilt * farthest; }
 };
 
-// Sides that the segment was found to miss, though it passes their planes.
-struct Missed {
-    static constexpr int kMost = 8;
-    int count = 0;
-    Index side[kMost];
+// One side and a segment: its plane at both ends, and the greatest bound there.
+struct Slab {
+    float at_a, at_b, bound_b, bound;
 
-    bool add(Index missed) {
-        if (count == kMost) return false;
-        side[count++] = missed;
-        return true;
+    Slab(const Rooms& rooms, Index side, const Sightline& line) {
+        const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(side / kSides)];
+        const int lane = side % kSides;
+        at_a = p.x[lane] * line.a[0] + p.y[lane] * line.a[1] + p.z[lane] * line.a[2] + p.d[lane];
+        at_b = p.x[lane] * line.b[0] + p.y[lane] * line.b[1] + p.z[lane] * line.b[2] + p.d[lane];
+        bound_b = p.still[lane] + p.tilt[lane] * line.reach_b;
+        bound = p.still[lane] + p.tilt[lane] * line.farthest;
     }
-    bool holds(Index other) const { return std::find(side, side + count, other) != side + count; }
 };
 
-// The side that the segment can leave first: its lo and hi, and the least lo of all others.
-struct Leaving {
-    float first = kInfinity, second = kInfinity, latest = kInfinity;
-    Index side = 0;
-};
+// The sides that the segment could leave through, each at lo <= t <= hi, handed out by their lo.
+class Order {
+public:
+    static constexpr Index kMostBlocks = 16;
 
-Leaving leaving(const Rooms& rooms, const Room& room, const Sightline& line, const Missed& missed) {
-    const Float8 none = Float8{} + kInfinity, least = Float8{} + kLeastFall;
-    Float8 first = none, second = none, latest = none;
-    Int8 block{};
-    const PlaneBlock* planes = rooms.planes.data() + room.plane;
-    for (Index i = 0; i < room.planes; ++i) {
-        const Float8 at_a = line.at_a(planes[i]), at_b = line.at_b(planes[i]);
-        Int8 possible = ~((at_b >= line.bound_b) | (at_a <= -line.bound));
-        for (int k = 0; k < missed.count; ++k)
-            if (missed.side[k] / kSides == room.plane + i) possible[missed.side[k] % kSides] = 0;
-        const Float8 fall = at_a - at_b, depth = fall > least ? fall : least;
-        const Float8 lo = possible ? (at_a - line.bound) / depth : none;
-        const Float8 hi = (at_a + line.bound) / depth;
-        const Int8 better = lo < first;
-        second = better ? first : (lo < second ? lo : second);
-        latest = better ? hi : latest;
-        block = better ? Int8{} + i : block;
-        first = better ? lo : first;
+    Order(const Rooms& rooms, const Room& room, const Sightline& line) : blocks_(room.planes), first_(kSides * room.plane) {
+        const Float8 none = Float8{} + kInfinity, least = Float8{} + kLeastFall;
+        const PlaneBlock* planes = rooms.planes.data() + room.plane;
+        for (Index i = 0; i < blocks_; ++i) {
+            const Float8 at_a = line.at_a(planes[i]), at_b = line.at_b(planes[i]), bound = line.bound(planes[i]);
+            const Int8 possible = ~((at_b >= line.bound_b(planes[i])) | (at_a <= -bound));
+            const Float8 fall = at_a - at_b, depth = fall > least ? fall : least;
+            lo_[i] = possible ? (at_a - bound) / depth : none;
+            hi_[i] = (at_a + bound) / depth;
+        }
     }
-    // The least lo of all; then the least of the others, the next of its own lane among them.
-    const float least_lo = least_of(first);
-    if (least_lo == kInfinity) return {};
-    const int lane = first_equal(first, least_lo);
-    const Int8 lanes{0, 1, 2, 3, 4, 5, 6, 7};
-    const Float8 others = lanes == lane ? second : first;
-    return {least_lo, least_of(others), latest[lane], kSides * (room.plane + block[lane]) + lane};
-}
+
+    struct Next {
+        float lo, hi;
+        Index side;
+    };
+
+    // The next side; its lo is infinite when there is none.
+    Next next() {
+        Index block = 0;
+        Float8 least = lo_[0];
+        for (Index i = 1; i < blocks_; ++i) least = lo_[i] < least ? lo_[i] : least;
+        const float lo = least_of(least);
+        if (!(lo < kInfinity)) return {kInfinity, kInfinity, -1};
+        while (!any(lo_[block] == lo)) ++block;
+        const int lane = first_equal(lo_[block], lo);
+        lo_[block][lane] = kInfinity;
+        return {lo, hi_[block][lane], first_ + kSides * block + lane};
+    }
+
+private:
+    Index blocks_, first_;
+    Float8 lo_[kMostBlocks], hi_[kMostBlocks];
+};
 
 // A point of the segment between t = lo and hi in two coordinates, and how far it can be off in either direction.
 struct Spot {
     float p, q, spread;
-
-    Spot(const Sightline& line, std::uint16_t axis, float lo, float hi) {
-        const int i = axis == 2 ? 0 : axis + 1, j = axis == 0 ? 2 : axis - 1;
-        const float t = 0.5f * (lo + hi), along_p = line.b[i] - line.a[i], along_q = line.b[j] - line.a[j];
-        p = line.a[i] + t * along_p;
-        q = line.a[j] + t * along_q;
-        // Half the piece between lo and hi, times sqrt 2 for both coordinates, and the rounding of the point.
-        spread = std::max(std::abs(along_p), std::abs(along_q)) * std::abs(hi - lo) + 40 * kUnit * line.reach;
-    }
 };
+
+// The coordinates that a side shows in, the one that it leaves out aside.
+int first_of(std::uint16_t axis) { return axis == 2 ? 0 : axis + 1; }
+int second_of(std::uint16_t axis) { return axis == 0 ? 2 : axis - 1; }
+
+// Rounding of a point of a segment, in parts of its reach.
+constexpr float kOff = 40 * kUnit;
+
+Spot spot_of(const Sightline& line, std::uint16_t axis, float lo, float hi) {
+    const int i = first_of(axis), j = second_of(axis);
+    const float t = 0.5f * (lo + hi), along_p = line.b[i] - line.a[i], along_q = line.b[j] - line.a[j];
+    // Half the piece between lo and hi, times sqrt 2 for both coordinates, and the rounding of the point.
+    return {line.a[i] + t * along_p, line.a[j] + t * along_q,
+            std::max(std::abs(along_p), std::abs(along_q)) * std::abs(hi - lo) + kOff * line.reach};
+}
 
 struct Passage {
     const PolygonBlock* polygon;  // null when none is certain
     bool outside;                 // of all polygons, certainly
 };
 
-// The one polygon of a side through which the segment passes between t = lo and hi.
-Passage passage(const Rooms& rooms, const Side& side, const Sightline& line, float lo, float hi) {
-    const Spot spot(line, side.axis, lo, hi);
+// The one polygon of a side that a spot lies in.
+Passage passage(const Rooms& rooms, const Side& side, const Spot& spot) {
     Passage found{nullptr, true};
     const PolygonBlock* block = rooms.polygons.data() + side.first;
     for (const PolygonBlock* end = block + side.count; block != end; ++block) {
@@ -157,33 +171,15 @@ Passage passage(const Rooms& rooms, const Side& side, const Sightline& line, flo
     return found;
 }
 
-// Whether the segment certainly misses every side, but the one given, that it could leave no later; adds them.
-bool misses_rivals(const Rooms& rooms, const Room& room, const Sightline& line, const Leaving& left, Missed& missed) {
-    for (Index side = kSides * room.plane; side < kSides * (room.plane + room.planes); ++side) {
-        if (side == left.side || missed.holds(side)) continue;
-        const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(side / kSides)];
-        const float at_a = line.at_a(p)[side % kSides], at_b = line.at_b(p)[side % kSides];
-        if (at_b >= line.bound_b || at_a <= -line.bound) continue;
-        const float fall = std::max(at_a - at_b, kLeastFall);
-        const float lo = (at_a - line.bound) / fall, hi = (at_a + line.bound) / fall;
-        if (lo > left.latest + kRounding) continue;
-        if (!passage(rooms, rooms.sides[static_cast<std::size_t>(side)], line, lo, hi).outside || !missed.add(side))
-            return false;
-    }
-    return true;
-}
-
 // Whether the segment stays in front of a needle's slab until after t = `until`, or passes the slab beside the needle.
 bool clear_of(const Rooms& rooms, const Needle& needle, const Sightline& line, float until) {
-    const PlaneBlock& p = rooms.planes[static_cast<std::size_t>(needle.side / kSides)];
-    const int lane = needle.side % kSides;
-    const float at_a = p.x[lane] * line.a[0] + p.y[lane] * line.a[1] + p.z[lane] * line.a[2] + p.d[lane];
-    const float at_b = p.x[lane] * line.b[0] + p.y[lane] * line.b[1] + p.z[lane] * line.b[2] + p.d[lane];
-    const float fall = at_a - at_b;
-    if (at_a > line.bound && (at_b > line.bound || at_a - line.bound > (until + kRounding) * fall)) return true;
-    if (!(std::abs(fall) > 4 * line.bound)) return false;  // along the slab
-    const Spot spot(line, rooms.sides[static_cast<std::size_t>(needle.side)].axis, (at_a - line.bound) / fall,
-                    (at_a + line.bound) / fall);
+    const Slab slab(rooms, needle.side, line);
+    const float fall = slab.at_a - slab.at_b;
+    if (slab.at_a > slab.bound && (slab.at_b > slab.bound || slab.at_a - slab.bound > (until + kRounding) * fall))
+        return true;
+    if (!(std::abs(fall) > 4 * slab.bound)) return false;  // along the slab
+    const Spot spot = spot_of(line, rooms.sides[static_cast<std::size_t>(needle.side)].axis,
+                              (slab.at_a - slab.bound) / fall, (slab.at_a + slab.bound) / fall);
     return std::abs(needle.a * spot.p + needle.b * spot.q + needle.c) > needle.margin + spot.spread;
 }
 
@@ -197,6 +193,77 @@ bool leaves_by_needle(const Rooms& rooms, const Fans& fans, const Room& room, co
     return false;
 }
 
+// Eight segments in one room, each in a lane.
+class Packet {
+public:
+    Packet(const Room& room, const Segment* segments, const float* entered, int count) {
+        const auto lane = [&](int i) { return i < count ? i : 0; };
+        const auto gather = [&](const double* Segment::* end, int k) {
+            const auto at = [&](int i) { return static_cast<float>((segments[lane(i)].*end)[k] - room.center[k]); };
+            return Float8{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+        };
+        for (int k = 0; k < 3; ++k) {
+            a_[k] = gather(&Segment::a, k);
+            b_[k] = gather(&Segment::b, k);
+        }
+        for (int i = 0; i < kPacket; ++i) entered_[i] = entered[lane(i)];
+    }
+
+    // Finds for each lane the side that can be left first, as leaving() does, and the spot on it.
+    void leave(const Rooms& rooms, const Room& room) {
+        const Float8 none = Float8{} + kInfinity, least = Float8{} + kLeastFall;
+        const Float8 reach_a = greatest(a_), reach_b = greatest(b_), farthest = reach_a > reach_b ? reach_a : reach_b;
+        Float8 first = none, second = none, latest = none;
+        Int8 side{};
+        const PlaneBlock* block = rooms.planes.data() + room.plane;
+        for (Index i = 0; i < room.sides; ++i) {
+            const PlaneBlock& p = block[i / kSides];
+            const int k = i % kSides;
+            const Float8 at_a = p.x[k] * a_[0] + p.y[k] * a_[1] + p.z[k] * a_[2] + p.d[k];
+            const Float8 at_b = p.x[k] * b_[0] + p.y[k] * b_[1] + p.z[k] * b_[2] + p.d[k];
+            const Float8 bound = p.still[k] + p.tilt[k] * farthest, bound_b = p.still[k] + p.tilt[k] * reach_b;
+            const Int8 possible = ~((at_b >= bound_b) | (at_a <= -bound));
+            const Float8 fall = at_a - at_b, depth = fall > least ? fall : least;
+            const Float8 lo = possible ? (at_a - bound) / depth : none, hi = (at_a + bound) / depth;
+            const Int8 better = lo < first;
+            second = better ? first : (lo < second ? lo : second);
+            latest = better ? hi : latest;
+            side = better ? Int8{} + i : side;
+            first = better ? lo : first;
+        }
+        const Int8 far = ~(reach_a + reach_b < kTooFar);
+        ends_ = (first == kInfinity) & ~far;
+        leaves_ = (second > latest + kRounding) & (first > entered_ + kRounding) & (latest < 1 - kRounding) & ~far;
+        side_ = side + kSides * room.plane;
+        latest_ = latest;
+        const Float8 t = 0.5f * (first + latest), along[3] = {b_[0] - a_[0], b_[1] - a_[1], b_[2] - a_[2]};
+        for (int k = 0; k < 3; ++k) middle_[k] = a_[k] + t * along[k];
+        spread_ = greatest(along) * (latest - first) + kOff * (reach_a + reach_b);
+    }
+
+    Glance seen(const Rooms& rooms, int lane) const {
+        if (ends_[lane]) return {Glance::kEnds};
+        if (!leaves_[lane]) return {Glance::kDoubt};
+        const Side& side = rooms.sides[static_cast<std::size_t>(side_[lane])];
+        const Spot spot{middle_[first_of(side.axis)][lane], middle_[second_of(side.axis)][lane], spread_[lane]};
+        const Passage pass = passage(rooms, side, spot);
+        if (!pass.polygon) return {Glance::kDoubt};
+        return {Glance::kLeaves, pass.polygon->surface, pass.polygon->leads_to, latest_[lane]};
+    }
+
+private:
+    // The greatest coordinate without its sign; a first one that is not a number stays.
+    static Float8 greatest(const Float8 (&v)[3]) {
+        const Float8 x = v[0] < 0 ? -v[0] : v[0], y = v[1] < 0 ? -v[1] : v[1], z = v[2] < 0 ? -v[2] : v[2];
+        const Float8 both = x < y ? y : x;
+        return both < z ? z : both;
+    }
+
+    Float8 a_[3], b_[3], entered_;
+    Int8 ends_, leaves_, side_;
+    Float8 latest_, middle_[3], spread_;
+};
+
 }  // namespace
 
 // Wider registers change nothing but the time: every operation is the same IEEE operation, and none is fused.
@@ -209,24 +276,35 @@ bool leaves_by_needle(const Rooms& rooms, const Fans& fans, const Room& room, co
 JK_WIDE Glance glance(const Rooms& rooms, const Fans& fans, Index sector, const Segment& segment, float entered) {
     const Room& room = rooms.rooms[static_cast<std::size_t>(sector)];
     const Sightline line(room, segment);
-    if (line.too_far()) return {Glance::kDoubt};
-    for (Missed missed;;) {
-        const Leaving left = leaving(rooms, room, line, missed);
-        if (left.first == kInfinity)
-            return {leaves_by_needle(rooms, fans, room, segment, line, 1) ? Glance::kDoubt : Glance::kEnds};
-        const Passage pass = passage(rooms, rooms.sides[static_cast<std::size_t>(left.side)], line, left.first, left.latest);
-        if (pass.outside ? !missed.add(left.side) : !pass.polygon) break;
+    if (line.too_far() || room.planes > Order::kMostBlocks) return {Glance::kDoubt};
+    Glance found{Glance::kEnds, -1, kBlocks, 1};
+    for (Order order(rooms, room, line);;) {
+        const Order::Next next = order.next();
+        if (next.lo == kInfinity || (found.kind == Glance::kLeaves && next.lo > found.latest + kRounding)) break;
+        const Side& side = rooms.sides[static_cast<std::size_t>(next.side)];
+        const Passage pass = passage(rooms, side, spot_of(line, side.axis, next.lo, next.hi));
         if (pass.outside) continue;
-        if (!(left.second > left.latest + kRounding)) {
-            const int before = missed.count;
-            if (!misses_rivals(rooms, room, line, left, missed) || missed.count == before) break;
-            continue;
-        }
-        if (!(left.first > entered + kRounding && left.latest < 1 - kRounding)) break;
-        if (leaves_by_needle(rooms, fans, room, segment, line, left.latest)) break;
-        return {Glance::kLeaves, pass.polygon->surface, pass.polygon->leads_to, left.latest};
+        // Uncertain, through two sides at once, before the entry or at the end.
+        if (!pass.polygon || found.kind == Glance::kLeaves || !(next.lo > entered + kRounding) || !(next.hi < 1 - kRounding))
+            return {Glance::kDoubt};
+        found = {Glance::kLeaves, pass.polygon->surface, pass.polygon->leads_to, next.hi};
     }
-    return {Glance::kDoubt};
+    if (room.needles > 0 && leaves_by_needle(rooms, fans, room, segment, line, found.latest)) return {Glance::kDoubt};
+    return found;
+}
+
+JK_WIDE void glance_packet(const Rooms& rooms, const Fans& fans, Index sector, const Segment* segments,
+                           const float* entered, int count, Glance* seen) {
+    const Room& room = rooms.rooms[static_cast<std::size_t>(sector)];
+    Packet packet(room, segments, entered, count);
+    packet.leave(rooms, room);
+    for (int i = 0; i < count; ++i) seen[i] = packet.seen(rooms, i);
+    if (room.needles == 0) return;
+    for (int i = 0; i < count; ++i) {
+        if (seen[i].kind == Glance::kDoubt) continue;
+        const float until = seen[i].kind == Glance::kEnds ? 1 : seen[i].latest;
+        if (leaves_by_needle(rooms, fans, room, segments[i], Sightline(room, segments[i]), until)) seen[i] = {Glance::kDoubt};
+    }
 }
 
 float latest(const Crossing& c) {
@@ -241,7 +319,7 @@ void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans
     const auto s = static_cast<std::size_t>(sector);
     const Room& room = rooms.rooms[s];
     const Sightline line(room, segment);
-    if (line.too_far() || !(room.still < kInfinity)) {
+    if (line.too_far()) {
         const auto first = static_cast<std::size_t>(mesh.sector_first[s]);
         const Index begin = fans.start[first], end = fans.start[first + static_cast<std::size_t>(mesh.sector_count[s])];
         triangles.resize(static_cast<std::size_t>(end - begin));
@@ -251,7 +329,7 @@ void possible_exits(const SectorMesh& mesh, const Rooms& rooms, const Fans& fans
     const auto add = [&](Index begin, Index end) { for (; begin < end; ++begin) triangles.push_back(begin); };
     for (Index i = room.plane; i < room.plane + room.planes; ++i) {
         const PlaneBlock& planes = rooms.planes[static_cast<std::size_t>(i)];
-        const Int8 possible = ~((line.at_b(planes) >= line.bound_b) | (line.at_a(planes) <= -line.bound));
+        const Int8 possible = ~((line.at_b(planes) >= line.bound_b(planes)) | (line.at_a(planes) <= -line.bound(planes)));
         for (int lane = 0; lane < kSides; ++lane) {
             const Side& side = rooms.sides[static_cast<std::size_t>(kSides * i + lane)];
             Index last = -1;

@@ -32,6 +32,13 @@ struct Glance {
 // Looks at a room that the segment enters at `entered` at the latest.
 Glance glance(const Rooms& rooms, const Fans& fans, Index sector, const Segment& segment, float entered);
 
+// The same for up to kPacket segments that are in one room at once, which share the room's planes: segment i of `count`
+// enters at `entered[i]` at the latest, and `seen[i]` receives what glance() finds. One that only a look of its own can
+// decide is told as a doubt.
+inline constexpr int kPacket = 8;
+void glance_packet(const Rooms& rooms, const Fans& fans, Index sector, const Segment* segments, const float* entered,
+                   int count, Glance* seen);
+
 // An upper bound of the t of a crossing in float32; 1 and above leaves the next room in doubt.
 float latest(const Crossing& crossing);
 

@@ -76,16 +76,15 @@ public:
         end_ = first_ + mesh_.sector_count[sector];
         measure();
         walls_.clear();
-        still_ = tilt_ = farthest_ = 0;
+        bounded_ = radius_ > kSmallest && radius_ < kLargest;
         room_.plane = static_cast<Index>(out_.planes.size());
         room_.needle = static_cast<Index>(out_.needles.size());
         for (Index s = first_; s < end_; ++s) place(s);
         for (std::size_t w = 0; w < walls_.size(); ++w) pack(w);
         room_.planes = static_cast<Index>(out_.planes.size()) - room_.plane;
         room_.needles = static_cast<Index>(out_.needles.size()) - room_.needle;
-        if (!(radius_ > kSmallest && radius_ < kLargest)) still_ = room_.center[0] = std::numeric_limits<double>::quiet_NaN();
-        room_.still = static_cast<float>((still_ + kUnit * (4 * farthest_ + radius_)) * kPadding);
-        room_.tilt = static_cast<float>((tilt_ + 9 * kUnit) * kPadding);
+        room_.sides = static_cast<Index>(walls_.size());
+        if (!bounded_) room_.center[0] = std::numeric_limits<double>::quiet_NaN();
         out_.rooms.push_back(room_);
     }
 
@@ -159,7 +158,7 @@ private:
             const std::vector<Vector> polygon = corners_of(t);
             put({surface, polygon, {t}, std::exchange(whole.needles, {})}, plane_of(polygon));
         }
-        if (!whole.needles.empty()) still_ = std::numeric_limits<double>::infinity();
+        if (!whole.needles.empty()) bounded_ = false;
     }
 
     bool flat(const Piece& piece, const Plane& plane) const {
@@ -191,7 +190,7 @@ private:
         const std::size_t lane = w % PlaneBlock::kSides;
         if (lane == 0) {
             const Float8 zero{};
-            out_.planes.push_back({zero, zero, zero, zero + kFar});
+            out_.planes.push_back({zero, zero, zero, zero + kFar, zero, zero});
             out_.sides.resize(out_.sides.size() + PlaneBlock::kSides);
         }
         side_ = static_cast<Index>(out_.sides.size() - PlaneBlock::kSides + lane);
@@ -200,16 +199,18 @@ private:
         block.y[lane] = static_cast<float>(wall.plane.normal[1]);
         block.z[lane] = static_cast<float>(wall.plane.normal[2]);
         block.d[lane] = static_cast<float>(wall.plane.offset);
-        farthest_ = std::max(farthest_, std::abs(wall.plane.offset));
+        still_ = tilt_ = 0;
         const Vector size{std::abs(wall.plane.normal[0]), std::abs(wall.plane.normal[1]), std::abs(wall.plane.normal[2])};
         const auto axis = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
         const auto first = static_cast<Index>(out_.polygons.size());
         for (const Piece& piece : wall.pieces) pack_polygon(piece, axis, wall);
         const auto count = static_cast<std::uint16_t>(out_.polygons.size() - static_cast<std::size_t>(first));
         out_.sides[static_cast<std::size_t>(side_)] = {first, count, static_cast<std::uint16_t>(axis)};
+        block.still[lane] = static_cast<float>((still_ + kUnit * (4 * std::abs(wall.plane.offset) + radius_)) * kPadding);
+        block.tilt[lane] = static_cast<float>((tilt_ + 9 * kUnit) * kPadding);
     }
 
-    // Widens the sector's bounds to hold the piece.
+    // Widens the side's bounds to hold the piece.
     void bound(const Piece& piece, const Plane& plane, std::size_t axis) {
         for (const Index t : piece.triangles) {
             double doubled;
@@ -317,7 +318,8 @@ private:
     Rooms& out_;
     Room room_{};
     Index first_ = 0, end_ = 0, side_ = 0;
-    double radius_ = 0, still_ = 0, tilt_ = 0, farthest_ = 0;
+    bool bounded_ = true;
+    double radius_ = 0, still_ = 0, tilt_ = 0;
     std::vector<Wall> walls_;
 };
 

@@ -7,14 +7,14 @@
 //
 // Side. Every triangle T of the side has an exact unit plane g(x) = N.(x - centre) + D. The side's float32 plane
 // f(x') = n.x' + d differs from it by at most |n - N|_1 X + |D - d| (different planes), sqrt(3) u X (rounding x')
-// and 4 u (sqrt(3) X + |d|) (rounding the sum): below `still + tilt X`, the greatest over the sector's sides, where
-// tilt = max |n - N|_1 + 9 u and still = max |D - d| + 4 u max |d| + u r, r the room's half size, both padded by
-// 1/1000. A room too large or too small for float32 has no centre (NaN), and is always in doubt.
+// and 4 u (sqrt(3) X + |d|) (rounding the sum): below `still + tilt X`, where tilt = max |n - N|_1 + 9 u and
+// still = max |D - d| + 4 u |d| + u r, r the room's half size, both padded by 1/1000. A room that no such bounds hold
+// for, too large or too small for float32 among them, has no centre (NaN), and is always in doubt.
 //
 // A surface that is bent, whose triangles lean from its plane by more than kMostTilt, is packed as one polygon a
 // triangle, each on a side of its own. Needles, triangles so thin that their plane is ill-conditioned or leans though
-// their surface does not, keep out of the bounds: they are listed with the side that they lie along, which `still`
-// bounds the distance to, and tested one by one.
+// their surface does not, keep out of the bounds: they are listed with the side that they lie along, whose `still`
+// bounds the distance to it, and tested one by one.
 //
 // Polygon. Its edges are lines a p + b q + c >= 0 in two of the three coordinates, those other than the side normal's
 // greatest, with a^2 + b^2 = 1. `margin` bounds how far its vertices lie outside its own edges, the length of
@@ -34,10 +34,11 @@ namespace jk {
 using Float4 = float __attribute__((vector_size(16)));
 using Float8 = float __attribute__((vector_size(32)));
 
-// Eight sides of a sector; places left over hold a plane that is infinitely far ahead.
+// Eight sides of a sector and their bounds; places left over hold a plane that is infinitely far ahead.
 struct alignas(64) PlaneBlock {
     static constexpr int kSides = 8;
     Float8 x, y, z, d;
+    Float8 still, tilt;
 };
 
 // The polygons of one side: blocks [first, first + count).
@@ -59,13 +60,13 @@ struct alignas(64) PolygonBlock {
 
 struct Room {
     double center[3];
-    float still, tilt;
-    Index plane, planes;    // blocks, counted from `plane`
+    Index plane, planes;  // blocks, counted from `plane`
+    Index sides;
     Index needle, needles;
 };
 
-// A needle lies within `margin` of the line a p + b q + c = 0 in its side's two coordinates, and within the room's
-// `still` of the side's plane.
+// A needle lies within `margin` of the line a p + b q + c = 0 in its side's two coordinates, and within the side's
+// `still` of its plane.
 struct Needle {
     Index triangle, side;
     float a, b, c, margin;

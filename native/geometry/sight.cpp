@@ -6,55 +6,48 @@
 #include "geometry/exact_sight.hpp"
 #include "geometry/fast_walk.hpp"
 #include "geometry/threads.hpp"
+#include "geometry/waves.hpp"
 
 namespace jk {
 Viewer::Viewer(SectorMesh mesh) : mesh_(std::move(mesh)), fans_(mesh_), rooms_(mesh_, fans_), locator_(mesh_, fans_) {}
 
-void Viewer::check(std::span<const double> origins, std::span<const Index> sectors,
-                   std::span<const double> targets) const {
-    check_coordinates("origin", origins);
-    check_coordinates("target", targets);
-    if (origins.size() != 3 * sectors.size() || targets.size() != origins.size())
+void Viewer::check(const Queries& queries) const {
+    check_coordinates("origin", queries.origins);
+    check_coordinates("target", queries.targets);
+    if (queries.origins.size() != 3 * queries.rows() || queries.targets.size() != queries.origins.size())
         throw std::invalid_argument("origins and targets must have shape (n, 3), sectors (n,)");
-    check_indices("sector of origin", sectors, mesh_.sectors());
+    check_indices("sector of origin", queries.sectors, mesh_.sectors());
 }
 
-Sight Viewer::sight(std::span<const double> origins, std::span<const Index> sectors, std::span<const double> targets,
-                    Tier tier, unsigned threads) const {
-    check(origins, sectors, targets);
-    Sight out{std::vector<std::uint8_t>(sectors.size()), std::vector<Index>(sectors.size()),
-              std::vector<Index>(sectors.size())};
-    share_out(sectors.size(), threads,
-              [&](std::size_t row) { answer(row, origins, sectors, targets, tier, out); });
-    return out;
-}
-
-void Viewer::answer(std::size_t row, std::span<const double> origins, std::span<const Index> sectors,
-                    std::span<const double> targets, Tier tier, Sight& out) const {
-    const Segment segment{origins.data() + 3 * row, targets.data() + 3 * row};
-    if (tier == Tier::kExact) {
-        const ExactVerdict found = exact_sight(mesh_, sectors[row], segment.a, segment.b);
-        out.visible[row] = found.visible, out.crossed[row] = found.crossed, out.blocker[row] = found.blocker;
-        return;
+Sight Viewer::sight(const Queries& queries, Tier tier, unsigned threads) const {
+    check(queries);
+    Sight out(queries.rows());
+    if (tier == Tier::kBalanced) {
+        share_out_ranges(queries.rows(), kWave, threads, [&](std::size_t first, std::size_t end) {
+            walk_waves(mesh_, fans_, rooms_, queries, first, end, out);
+        });
+        return out;
     }
-    Doubts doubts;
-    const Verdict found = tier == Tier::kFast ? fast_walk(mesh_, rooms_, sectors[row], segment)
-                                              : walk(mesh_, fans_, rooms_, sectors[row], segment, doubts);
-    out.visible[row] = found.visible, out.crossed[row] = found.crossed, out.blocker[row] = found.blocker;
+    share_out(queries.rows(), threads, [&](std::size_t row) {
+        const Segment segment = queries.segment(row);
+        if (tier == Tier::kFast) return out.tell(row, fast_walk(mesh_, rooms_, queries.sectors[row], segment));
+        const ExactVerdict found = exact_sight(mesh_, queries.sectors[row], segment.a, segment.b);
+        out.tell(row, {found.visible, found.crossed, found.blocker});
+    });
+    return out;
 }
 
 Verdict Viewer::explain(std::span<const double> origin, Index sector, std::span<const double> target,
                         std::vector<Step>& path) const {
-    check(origin, {&sector, 1}, target);
+    check({origin, {&sector, 1}, target});
     return search(mesh_, fans_, nullptr, sector, {origin.data(), target.data()}, &path);
 }
 
-Doubts Viewer::doubts(std::span<const double> origins, std::span<const Index> sectors,
-                      std::span<const double> targets) const {
-    check(origins, sectors, targets);
+Doubts Viewer::doubts(const Queries& queries) const {
+    check(queries);
     Doubts doubts;
-    for (std::size_t row = 0; row < sectors.size(); ++row)
-        walk(mesh_, fans_, rooms_, sectors[row], {origins.data() + 3 * row, targets.data() + 3 * row}, doubts);
+    for (std::size_t row = 0; row < queries.rows(); ++row)
+        walk(mesh_, fans_, rooms_, queries.sectors[row], queries.segment(row), doubts);
     return doubts;
 }
 

@@ -6,18 +6,13 @@
 
 #include "geometry/locate.hpp"
 #include "geometry/mesh.hpp"
+#include "geometry/queries.hpp"
 #include "geometry/rooms.hpp"
-#include "geometry/search.hpp"
 #include "geometry/walk.hpp"
 
 namespace jk {
 
 enum class Tier { kFast, kBalanced, kExact };
-
-struct Sight {
-    std::vector<std::uint8_t> visible;
-    std::vector<Index> crossed, blocker;  // as in Verdict
-};
 
 // A mesh made ready for queries.
 class Viewer {
@@ -34,24 +29,20 @@ public:
     // Answers one query a row: from origins (x y z, JKU) in sectors to targets. The rows are shared out among
     // `threads` threads (0: one a core); the answers do not depend on how many. Throws std::invalid_argument naming
     // the row when a sector is out of bounds or a coordinate is not finite or too great.
-    Sight sight(std::span<const double> origins, std::span<const Index> sectors, std::span<const double> targets,
-                Tier tier, unsigned threads) const;
+    Sight sight(const Queries& queries, Tier tier, unsigned threads) const;
 
     // The way that decides one query, by the complete search.
     Verdict explain(std::span<const double> origin, Index sector, std::span<const double> target,
                     std::vector<Step>& path) const;
 
     // How often `balanced` was in doubt over these queries, on one thread.
-    Doubts doubts(std::span<const double> origins, std::span<const Index> sectors,
-                  std::span<const double> targets) const;
+    Doubts doubts(const Queries& queries) const;
 
     // Bytes held, the mesh included.
     std::size_t memory() const;
 
 private:
-    void check(std::span<const double> origins, std::span<const Index> sectors, std::span<const double> targets) const;
-    void answer(std::size_t row, std::span<const double> origins, std::span<const Index> sectors,
-                std::span<const double> targets, Tier tier, Sight& out) const;
+    void check(const Queries& queries) const;
 
     SectorMesh mesh_;
     Fans fans_;

@@ -9,26 +9,26 @@ namespace {
 
 class Walk {
 public:
-    Walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Segment& segment, Doubts& doubts)
-        : mesh_(mesh), fans_(fans), rooms_(rooms), segment_(segment), doubts_(doubts) {}
+    Walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Segment& segment, const Stand& stand,
+         Doubts& doubts)
+        : mesh_(mesh), fans_(fans), rooms_(rooms), segment_(segment), stand_(stand), doubts_(doubts) {}
 
     Verdict run(Index start) {
-        Index sector = start;
-        for (Index crossed = 1;; ++crossed) {
-            Glance seen = glance(rooms_, fans_, sector, segment_, entered_);
+        for (;; ++stand_.crossed) {
+            Glance seen = glance(rooms_, fans_, stand_.sector, segment_, stand_.entered);
             if (seen.kind == Glance::kDoubt)
-                seen = look(sector);
+                seen = look(stand_.sector);
             else
                 entry_.reset();
-            if (seen.kind == Glance::kEnds) return {true, crossed, -1};
+            if (seen.kind == Glance::kEnds) return {true, stand_.crossed, -1};
             if (seen.kind == Glance::kDoubt) {
                 ++doubts_.queries;
                 return search(mesh_, fans_, &rooms_, start, segment_);
             }
-            if (seen.leads_to == kBlocks) return {false, crossed, seen.surface};
-            sector = seen.leads_to;
-            entered_by_ = seen.surface;
-            entered_ = seen.latest;
+            if (seen.leads_to == kBlocks) return {false, stand_.crossed, seen.surface};
+            stand_.sector = seen.leads_to;
+            stand_.entered_by = seen.surface;
+            stand_.entered = seen.latest;
         }
     }
 
@@ -52,8 +52,8 @@ private:
     // The exact crossing behind a certified one: the first through the surface's fan.
     std::optional<Crossing> entry_crossing() const {
         std::optional<Crossing> first;
-        if (entered_by_ < 0) return first;
-        const auto s = static_cast<std::size_t>(entered_by_);
+        if (stand_.entered_by < 0) return first;
+        const auto s = static_cast<std::size_t>(stand_.entered_by);
         for (Index t = fans_.start[s]; t < fans_.start[s + 1]; ++t) {
             Crossing found;
             if (!crosses(fans_, t, segment_, found)) continue;
@@ -69,17 +69,21 @@ private:
     const Fans& fans_;
     const Rooms& rooms_;
     const Segment segment_;
+    Stand stand_;
     Doubts& doubts_;
     std::optional<Crossing> entry_;  // exact, where the last sector was searched completely
-    Index entered_by_ = -1;
-    float entered_ = 0;  // t of the entry at most
 };
 
 }  // namespace
 
-Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index sector, const Segment& segment,
+Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index start, const Stand& stand,
+             const Segment& segment, Doubts& doubts) {
+    return Walk(mesh, fans, rooms, segment, stand, doubts).run(start);
+}
+
+Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index start, const Segment& segment,
              Doubts& doubts) {
-    return Walk(mesh, fans, rooms, segment, doubts).run(sector);
+    return walk(mesh, fans, rooms, start, {start}, segment, doubts);
 }
 
 }  // namespace jk

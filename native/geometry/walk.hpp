@@ -15,7 +15,18 @@ struct Doubts {
     std::size_t sectors = 0, queries = 0;
 };
 
-Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index sector, const Segment& segment,
+// Where a walk stands: in a sector, the `crossed`-th on its way, that it entered through a surface (-1: it started
+// there) at t = `entered` at the latest.
+struct Stand {
+    Index sector, entered_by = -1, crossed = 1;
+    float entered = 0;
+};
+
+// Walks on from `stand`; `start` is the sector that the segment starts in.
+Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index start, const Stand& stand,
+             const Segment& segment, Doubts& doubts);
+
+Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index start, const Segment& segment,
              Doubts& doubts);
 
 }  // namespace jk

@@ -94,7 +94,7 @@ TEST_CASE("sight agrees with an AABB tree over the walls of a level without over
             targets.push_back(anywhere(random));
         }
         const auto sectors = viewer.locator().locate(origins, 1).sector;
-        const auto found = viewer.sight(origins, sectors, targets, jk::Tier::kBalanced, 1);
+        const auto found = viewer.sight({origins, sectors, targets}, jk::Tier::kBalanced, 1);
         std::size_t differ = 0, visible = 0;
         for (std::size_t i = 0; i < sectors.size(); ++i) {
             const double *a = &origins[3 * i], *b = &targets[3 * i];
@@ -166,8 +166,9 @@ TEST_CASE("a long row of rooms is crossed to its end") {
     jk::SectorMesh mesh = Grid(40, 0, 3).mesh();
     const jk::Viewer viewer(std::move(mesh));
     const double far = 1e3;
-    const auto found = viewer.sight(std::vector<double>{0.1, 0.1, 0.1}, std::vector<jk::Index>{0},
-                                    std::vector<double>{far, 0.1, 0.1}, jk::Tier::kBalanced, 1);
+    const std::vector<double> origin{0.1, 0.1, 0.1}, target{far, 0.1, 0.1};
+    const std::vector<jk::Index> sector{0};
+    const auto found = viewer.sight({origin, sector, target}, jk::Tier::kBalanced, 1);
     CHECK(found.crossed[0] == 40);
     CHECK(found.visible[0] == 0);
 }

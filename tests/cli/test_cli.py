@@ -93,7 +93,7 @@ def test_one_path_that_cannot_be_read_does_not_lose_the_others(capsys: pytest.Ca
         ("claims.gob", b"GOB \x14\0\0\0\x0c\0\0\0\xff\xff\xff\xff" + b"\0" * 136, 2),
         ("count.jkl", two_rooms("World vertices 2000000000").encode(), 1),
         ("line.jkl", two_rooms("World vertices 12", "3: 0 1 0" + " 1" * 5_000_000).encode(), 1),
-        ("none.gob", gob_of([("cog\\a.cog", b"")]), 2),
+        ("none.gob", gob_of([("misc\\a.txt", b"")]), 2),
         ("text.txt", b"hello", 2),
     ],
 )
@@ -123,7 +123,7 @@ def test_build_and_inspect(here: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert "skipped, it has no GEORESOURCE" in shown.err
     assert main(["inspect", "out/rooms.jklb", "--json", "--verify"]) == 0
     report = json.loads(capsys.readouterr().out)
-    assert set(report) == {"format", "level", "settings", "sections", "counts", "passes"}
+    assert set(report) == {"format", "level", "settings", "sections", "counts", "passes", "omissions"}
     assert report["counts"]["vertices"] == 12
     assert report["level"]["inputs"][0]["path"] == "jkl/Rooms.jkl"
     assert [p.name for p in (here / "out").iterdir()] == ["rooms.jklb"]

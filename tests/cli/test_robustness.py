@@ -88,10 +88,10 @@ def test_a_bug_on_one_file_leaves_the_others(
         (here / f"mod/{name}.jkl").write_text(BROKEN)
     real = batch.read_level
 
-    def failing(member: batch.Member, settings: batch.Settings) -> object:
+    def failing(member: batch.Member, *rest: object) -> object:
         if member.name == "a.jkl":
             raise ZeroDivisionError("by nought")
-        return real(member, settings)
+        return real(member, *rest)
 
     monkeypatch.setattr(batch, "read_level", failing)
     assert main(["lint", "mod", "--format", "json"]) == 3

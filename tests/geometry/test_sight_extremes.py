@@ -125,3 +125,17 @@ def test_overlapping_copies_of_a_level() -> None:
             one.sector_count * 2,
         )
         check(level, queries_of(level, rng, 250))
+
+
+@settings(deadline=None, max_examples=20)
+@given(st.integers(0, 2**32 - 1), st.integers(1, 40))
+def test_answers_do_not_depend_on_the_rest_of_the_batch(seed: int, count: int) -> None:
+    """Segments in one sector share its planes; alone, in another order or among others they are answered alike."""
+    rng = np.random.default_rng(seed)
+    level = level_of(cut_cells(rng, cuts=8, finest=4), rng, walls=0.2, strays=0.1)
+    mesh, queries = level.mesh(), queries_of(level, rng, count)
+    together = np.array(mesh.sight(*queries))
+    rows = rng.permutation(len(queries[1]))
+    assert np.array_equal(np.array(mesh.sight(*(column[rows] for column in queries))), together[:, rows])
+    for row in rows[:20]:
+        assert np.array_equal(np.array(mesh.sight(*(column[[row]] for column in queries)))[:, 0], together[:, row])

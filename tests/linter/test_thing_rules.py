@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from jktools.facts import LevelFacts
 from tests.support.levels import level_of, two_rooms
 from tests.support.lint import findings, marked, messages
 
@@ -51,9 +50,10 @@ def test_types_come_from_the_nearest_parent() -> None:
         "World templates 8", "a crate size=1", "b a type=Weapon", "c b size=2", "d nowhere size=1", "e none size=1",
         "World things 4", "1: c c .5 1.5 .5 0 0 0 1", "2: c c .5 1.5 .5 0 0 0 1 type=item", "3: x x 1 1 1 0 0 0 1",
     ))  # fmt: skip
-    facts = LevelFacts(level)
-    assert facts.template_types == ("player", "ghost", "cog", "cog", "weapon", "weapon", None, "")
-    assert facts.thing_types == ("player", "weapon", "item", None)
+    types = [held.type if held.knows_type else None for held in level.resolved_templates.entries]
+    assert types == ["player", "ghost", "cog", "cog", "weapon", "weapon", None, "free"]
+    types = [held.type if held.knows_type else None for held in level.resolved_things]
+    assert types == ["player", "weapon", "item", None]
 
 
 @pytest.mark.parametrize(("line", "told"), [
@@ -70,13 +70,24 @@ def test_a_template_needs_a_type(line: str, told: bool) -> None:
     ("numframes=2 frame=(0/0/0:0/0/0)", None),
     ("numframes=0", "has numframes=0, but a path needs at least 1 frame"),
     ("numframes=x", "has numframes=x, but a path needs at least 1 frame"),
-    ("numframes=2 numframes=3", "has numframes 2 times, but only the first counts, 2"),
-    ("frame=(0/0/0:0/0/0) frame=(0/0/1:0/0/0)", None),
-    ("frame=(0/0/0:0/0/0) numframes=1 frame=(0/0/1:0/0/0)", None),
+    ("numframes=2 numframes=3", "has numframes=3, but has numframes=2 already, and the first counts"),
+    ("frame=(0/0/0:0/0/0) frame=(0/0/1:0/0/0)", "has a frame, but no numframes makes room for it"),
+    ("frame=(0/0/0:0/0/0) numframes=1 frame=(0/0/1:0/0/0)",
+     "has a frame before numframes=1, but only that makes room for it"),
 ])  # fmt: skip
 def test_frames_are_counted_behind_their_number(parameters: str, fault: str | None) -> None:
     found = messages("JK407", "World things 3", f"1: crate crate .5 1.5 .5 0 0 0 1 move=path {parameters}")
     assert found == ([] if fault is None else [f"thing 1 (crate) {fault}"])
+
+
+def test_frames_of_a_template_count_too() -> None:
+    lift = ("World templates 4", "lift none type=cog move=path numframes=1 frame=(0/0/0:0/0/0)", "World things 3")
+    assert messages("JK407", *lift, "1: lift lift .5 1.5 .5 0 0 0 1 frame=(0/0/1:0/0/0)") == [
+        "thing 1 (lift) has 2 frames, but numframes=1"
+    ]
+    assert messages("JK407", *lift, "1: lift lift .5 1.5 .5 0 0 0 1 numframes=2") == [
+        "thing 1 (lift) has numframes=2, but has numframes=1 from template 3 (lift), and the first counts"
+    ]
 
 
 def test_a_player_starts_somewhere() -> None:

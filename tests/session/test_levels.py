@@ -9,7 +9,7 @@ import pytest
 from jktools.session import Settings, build_all, check, discover, load
 from jktools.source import InputError
 from tests.support.levels import TWO_ROOMS, gob_of, two_rooms
-from tests.support.packs import write, zip_of
+from tests.support.packs import gob_files, write, zip_of
 
 ROOMS = TWO_ROOMS.encode()
 BROKEN = two_rooms("World adjoins 2", "1: 0x7 1 1").encode()
@@ -55,7 +55,8 @@ def test_a_real_pack_in_a_zip_has_the_findings_of_the_pack(site: Path, corpus: P
     pack = corpus / "gob/canyon_camera.gob"
     write(site / "real/camera.zip", zip_of([(pack.name, pack.read_bytes())]))
     plain, zipped = check([pack.as_posix()]), check(["real"])
-    assert (plain.files, len(plain) > 0, zipped.problems) == (1, True, [])
+    read = [name for name, _ in gob_files(pack.read_bytes()) if name.endswith((".jkl", ".cog"))]
+    assert (plain.files, len(plain) > 0, zipped.problems) == (len(read), True, [])
     inside = "real/camera.zip!canyon_camera.gob"
     assert [d.label.path.replace(pack.as_posix(), inside) for d in plain] == [d.label.path for d in zipped]
     assert [(d.code, d.message) for d in plain] == [(d.code, d.message) for d in zipped]

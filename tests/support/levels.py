@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 import struct
+import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from jktools.model import Level
+from jktools.session import load
 from jktools.source import Source
 from jktools.syntax.jkl import read
 
@@ -48,6 +51,25 @@ def two_rooms(*fragment: str) -> str:
             else:
                 lines[at] = record
     return "\n".join(lines)
+
+
+FILE = "== "
+"""In a fragment, starts the text of a file that lies beside the level, as `== cog/door.cog`."""
+
+
+@contextlib.contextmanager
+def level_with_files(*fragment: str, game: str = "jk") -> Iterator[Level]:
+    """The two rooms with a fragment laid over them, in a folder with the files that the fragment holds."""
+    starts = [i for i, line in enumerate(fragment) if line.startswith(FILE)]
+    texts = {"jkl/test.jkl": two_rooms(*fragment[: starts[0]])}
+    for start, end in zip(starts, [*starts[1:], len(fragment)], strict=True):
+        texts[fragment[start].removeprefix(FILE)] = "\n".join([*fragment[start + 1 : end], ""])
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in texts.items():
+            place = Path(folder, name)
+            place.parent.mkdir(exist_ok=True)
+            place.write_text(text, "latin-1", newline="")
+        yield load(str(Path(folder, "jkl/test.jkl")), game="mots" if game == "mots" else "jk")
 
 
 def _block(lines: list[str], heading: str) -> tuple[int, int]:

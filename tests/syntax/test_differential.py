@@ -41,8 +41,13 @@ def same(path: str, one: object, other: object) -> None:
         for f in fields(one):
             if f.name not in ("source", "lines") or path != "document":
                 same(f"{path}.{f.name}", getattr(one, f.name), getattr(other, f.name))
+    elif isinstance(one, tuple):
+        assert isinstance(other, tuple)
+        assert len(one) == len(other), path
+        for i, (a, b) in enumerate(zip(one, other, strict=True)):
+            same(f"{path}[{i}]", a, b)
     else:
-        assert one == other, path
+        assert one == other or (one != one and other != other), path
 
 
 def check(data: bytes, game: str = "jk") -> Document:

@@ -18,7 +18,7 @@ from jktools.syntax.jkl.document import (
     Things,
     Vertices,
 )
-from jktools.syntax.jkl.reader import read
+from jktools.syntax.jkl.reader import read, read_library
 
 __all__ = [
     "Adjoins",
@@ -38,4 +38,5 @@ __all__ = [
     "Things",
     "Vertices",
     "read",
+    "read_library",
 ]

@@ -14,8 +14,10 @@ from jktools.source import Source, Span
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.document import Heading
 from jktools.syntax.jkl.records import Record
-from jktools.syntax.jkl.rows import Rows, ints
 from jktools.syntax.lines import BLANK, END, SECTION, LogicalLines
+from jktools.syntax.misfit import misfit_of
+from jktools.syntax.misfit import quote as quote
+from jktools.syntax.rows import Rows, ints
 
 MOST_FAULTS = 1000
 """Faults told of one file; a file of garbage must not yield a report longer than itself."""
@@ -195,14 +197,11 @@ class Context:
     def _malformed(
         self, record: Record, line: int, text: str, error: lark.UnexpectedInput, subject: Subject | None
     ) -> list[str] | None:
-        ended = isinstance(error, lark.UnexpectedToken) and error.token.type == "$END"
-        start = len(text) if ended or error.pos_in_stream is None else error.pos_in_stream
-        word = records.WORD.match(record.words(text)[start:])
-        found = word.group() if word else ""
-        ordinal = len(records.WORD.findall(record.words(text)[:start])) - record.words_before
-        wanted = _wanted(record, ordinal)
+        misfit = misfit_of(record, text, error)
+        start, found, ordinal, wanted, what = (
+            misfit.start, misfit.found, misfit.ordinal, misfit.wanted, misfit.what
+        )  # fmt: skip
         read = record.salvage(text)
-        what = f"but found {quote(found)}" if found else "but the line ends"
         place = self.lines.part(line, start, start + len(found)) if found else self.lines.span(line)
         if read is None and record is records.THING:  # sithThing_Load passes over a line with fewer fields
             self.fault(
@@ -212,7 +211,10 @@ class Context:
         elif read is None:
             self.fault(
                 faults.MALFORMED_RECORD, place, f"{name(record, subject)}: expected {wanted}, {what}",
-                "mend the line; the engine refuses a level with such a record", subject,
+                "mend the line; the engine takes the parent from what the line before left there"
+                if record is records.TEMPLATE
+                else "mend the line; the engine refuses a level with such a record",
+                subject,
             )  # fmt: skip
         else:
             taken = f"; the engine reads {read[ordinal]}" if 0 <= ordinal < len(read) else ""
@@ -249,17 +251,3 @@ class Context:
 def name(record: Record, subject: Subject | None) -> str:
     """How a record is called in a message: `vertex 12`."""
     return record.title if subject is None else f"{subject.kind} {subject.index}"
-
-
-def quote(text: str) -> str:
-    """A piece of a file for a message, cut when long."""
-    text = " ".join(text.split())
-    return f'"{text}"' if len(text) <= 40 else f'"{text[:37]}..."'
-
-
-def _wanted(record: Record, ordinal: int) -> str:
-    if 0 <= ordinal < len(record.fields):
-        wanted = record.fields[ordinal]
-        article = "" if wanted.kind.value.split()[-1] == wanted.name else f", {wanted.kind.value}"
-        return f"the {wanted.name}{article}"
-    return f'the words "{record.keyword}"' if ordinal < 0 else "a whole number"

@@ -6,18 +6,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import lark
-import numpy as np
-import numpy.typing as npt
 
 from jktools.diagnostics import Diagnostic
 from jktools.source import Source, Span
-from jktools.syntax.jkl.records import Record
+from jktools.syntax.arrays import Bool as Bool
+from jktools.syntax.arrays import Float32 as Float32
+from jktools.syntax.arrays import Int32 as Int32
+from jktools.syntax.arrays import UInt32 as UInt32
 from jktools.syntax.lines import LogicalLines
-
-Float32 = npt.NDArray[np.float32]
-Int32 = npt.NDArray[np.int32]
-UInt32 = npt.NDArray[np.uint32]
-Bool = npt.NDArray[np.bool_]
+from jktools.syntax.records import Record
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,8 +12,8 @@ from jktools.diagnostics import Severity
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context, quote
 from jktools.syntax.jkl.document import EditorLayer, EditorLights
-from jktools.syntax.jkl.rows import ints
 from jktools.syntax.lines import BLANK, END, SECTION
+from jktools.syntax.rows import ints
 
 _BY_WORDS = {len(r.fields): r for r in (records.LIGHT_JED, records.LIGHT_SED, records.LIGHT_RGB)}
 

@@ -24,8 +24,8 @@ from jktools.syntax.jkl.document import (
     Vertices,
 )
 from jktools.syntax.jkl.records import Record
-from jktools.syntax.jkl.rows import Rows, floats, ints, merge
 from jktools.syntax.lines import END, SECTION, WORLD
+from jktools.syntax.rows import Rows, floats, ints, merge
 
 LIGHTS_PER_CORNER_RGB = 4
 """Mysteries of the Sith writes mono, red, green and blue for each corner."""

@@ -11,8 +11,8 @@ from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context
 from jktools.syntax.jkl.document import Heading, NameList
 from jktools.syntax.jkl.records import Record
-from jktools.syntax.jkl.rows import Rows
 from jktools.syntax.lines import END, SECTION
+from jktools.syntax.rows import Rows
 
 
 @dataclass(frozen=True, slots=True)

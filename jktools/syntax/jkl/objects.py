@@ -10,15 +10,11 @@ import numpy as np
 from jktools.diagnostics import Severity
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context
-from jktools.syntax.jkl.document import Cogs, Int32, Parameters, Templates, Things
+from jktools.syntax.jkl.document import Cogs, Heading, Int32, Parameters, Templates, Things
 from jktools.syntax.jkl.lists import read_until_end
-from jktools.syntax.jkl.rows import ints
-
-
-def split_parameter(word: str) -> tuple[str, str]:
-    """Key and value at the first `=`; a word without one is both (stdConffile in the decompiled engine)."""
-    key, sign, value = word.partition("=")
-    return (key, value) if sign else (word, word)
+from jktools.syntax.lines import BLANK
+from jktools.syntax.rows import Rows, ints
+from jktools.syntax.template.records import split_parameter
 
 
 def _parameters(start: Int32, words: Sequence[str]) -> Parameters:
@@ -44,6 +40,17 @@ def read_templates(context: Context) -> Templates:
             f"the heading announces {heading.count} templates, but {len(rows)} follow; the engine drops the rest",
             f'write at least {len(rows)} behind "world templates"', severity=Severity.WARNING,
         )  # fmt: skip
+    return _templates(heading, rows)
+
+
+def read_template_lines(context: Context) -> Templates:
+    """Read templates up to the end of the file, where no heading and no `end` stand about them."""
+    lines = np.arange(context.at, len(context.lines))
+    context.at = len(context.lines)
+    return _templates(None, context.rows(records.TEMPLATE, "template", lines[context.lines.kinds[lines] & BLANK == 0]))
+
+
+def _templates(heading: Heading | None, rows: Rows) -> Templates:
     return Templates(
         heading,
         rows.line_column(),

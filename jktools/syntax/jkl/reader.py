@@ -18,11 +18,11 @@ from jktools.syntax.jkl.document import ArchLights, Document, Header, NameList
 from jktools.syntax.jkl.editor import read_layers, read_lights
 from jktools.syntax.jkl.georesource import GeoResource, read_georesource
 from jktools.syntax.jkl.lists import COLORMAPS, SECTIONS, read_list
-from jktools.syntax.jkl.objects import read_cogs, read_templates, read_things
+from jktools.syntax.jkl.objects import read_cogs, read_template_lines, read_templates, read_things
 from jktools.syntax.jkl.records import HEADER_LINES
-from jktools.syntax.jkl.rows import floats, ints
 from jktools.syntax.jkl.sectors import read_sectors
 from jktools.syntax.lines import SECTION
+from jktools.syntax.rows import floats, ints
 
 COPYRIGHT_LINES = 34
 """Lines that the engine takes from COPYRIGHT (sithCopyright_Load)."""
@@ -34,6 +34,8 @@ _BETWEEN_WORDS = b" \t,\r\n"
 
 GEOMETRY = "georesource"
 """A JKL without this section is no level: static.jkl holds only resources and templates."""
+
+TEMPLATES = "templates"
 
 
 def read(source: Source, game: str = "jk", *, strict_grammar: bool = False) -> Document:
@@ -65,6 +67,17 @@ def read(source: Source, game: str = "jk", *, strict_grammar: bool = False) -> D
     if sections:
         _check_lines(context)
     return _document(context, sections, parts, lists)
+
+
+def read_library(source: Source, game: str = "jk", *, strict_grammar: bool = False) -> Document:
+    """Read a template library of an editor (*.tpl): lines as in TEMPLATES, without a heading, and nothing else.
+
+    The document has the one section `templates`. Never raises on bad input, as `read`. Lines and comments are taken as
+    the engine takes those of a level.
+    """
+    context = Context(source, game, strict_grammar)
+    templates = read_template_lines(context)
+    return _document(context, {TEMPLATES: 0}, {TEMPLATES: templates}, {})
 
 
 def _next_section(context: Context) -> str | None:
@@ -227,7 +240,7 @@ _READERS: dict[str, Callable[[Context], Any]] = {
     "georesource": read_georesource,
     "sectors": read_sectors,
     "cogs": read_cogs,
-    "templates": read_templates,
+    TEMPLATES: read_templates,
     "things": read_things,
     "archlighting": _read_arch_lights,
     "lights": read_lights,

@@ -1,152 +1,27 @@
-"""The kinds of line in a JKL: which rule reads them, what their fields are, what the engine makes of bad ones."""
+"""The kinds of line in a JKL."""
 
 from __future__ import annotations
 
-import enum
-import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from types import MappingProxyType
 
 import lark
 
 from jktools.syntax import grammar
-
-
-class Kind(enum.Enum):
-    """What a field is: how people call it, and the longest prefix that the engine would still read."""
-
-    LABEL = "a number and a colon"
-    INT = "a whole number"
-    HEX = "a hexadecimal number"
-    FLOAT = "a number"
-    WORD = "a name"
-
-
-_PREFIX: Mapping[Kind, str] = MappingProxyType(
-    {
-        Kind.LABEL: r"[-+]?\d+:",
-        Kind.INT: r"[-+]?\d+",
-        Kind.HEX: r"[-+]?(?:0[xX])?[0-9a-fA-F]+",
-        Kind.FLOAT: r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?",
-        Kind.WORD: r"\S+",
-    }
-)
-
-
-WORD = re.compile(r"[^ \t\r\f\v]+")
-"""A word as the grammar parts them; `str.split` and `\\s` take more control bytes for blanks than the engine does."""
-
-
-def keywords(text: str) -> str:
-    """The words of a line in lower case, each followed by one blank."""
-    return "".join(word + " " for word in WORD.findall(text.lower()))
-
-
-_LETTER = {Kind.LABEL: "L", Kind.INT: "i", Kind.HEX: "h", Kind.FLOAT: "f", Kind.WORD: "w"}
-
-
-@dataclass(frozen=True, slots=True)
-class Field:
-    """One value of a record, named in the game's words."""
-
-    name: str
-    kind: Kind
-
-
-@dataclass(frozen=True)
-class Record:
-    """One kind of line.
-
-    `scanned` lines are read by the engine with scanf, the others as fields; see grammars/jkl.lark.
-    """
-
-    rule: str
-    """Start rule of the grammar."""
-    title: str
-    """For messages: `vertex`, `adjoin`."""
-    fields: tuple[Field, ...]
-    scanned: bool = False
-    keyword: str = ""
-    """The words before the fields, in lower case; they choose among the alternatives of one rule."""
-    alias: str = ""
-    """Name of that alternative in the grammar; the rule's own name where there is only one."""
-    more: str = ""
-    """What may follow the fields in a record that the native reader takes: `*` any words, `ff` two numbers."""
-
-    @cached_property
-    def form(self) -> str:
-        """The fields for the native reader, a letter each (native/text/records.hpp)."""
-        return "".join(_LETTER[f.kind] for f in self.fields) + self.more
-
-    @cached_property
-    def words_before(self) -> int:
-        """How many words stand before the first field."""
-        return len(self.keyword.split())
-
-    def ordinal(self, name: str) -> int:
-        """Position of a field among the fields. Raises ValueError."""
-        return [f.name for f in self.fields].index(name)
-
-    def words(self, text: str) -> str:
-        """The text with what separates words turned into blanks, position for position."""
-        return text if self.scanned else text.replace(",", " ")
-
-    def parse(self, text: str) -> list[lark.Token]:
-        """The fields of a line, and what the rule repeats behind them. Raises lark.UnexpectedInput."""
-        return _fields_of(parser().parse(self.words(text), start=self.rule))
-
-    def surplus(self, text: str) -> list[lark.Token]:
-        """The words of a well-formed line that nobody reads."""
-        last = parser().parse(self.words(text), start=self.rule).children[-1]
-        return [t for t in last.children if isinstance(t, lark.Token)] if isinstance(last, lark.Tree) else []
-
-    def salvage(self, text: str) -> list[str] | None:
-        """The fields as the engine would read a malformed line, or None where it refuses the level.
-
-        scanf takes each value's longest prefix and fails on none; the field reader takes the prefix of each
-        word, 0 where there is none, and fails only when words are missing.
-        """
-        return self._scan(text) if self.scanned else self._split(text)
-
-    def _scan(self, text: str) -> list[str] | None:
-        words = r"\s*".join(map(re.escape, self.keyword.split()))
-        values = r"\s*".join(f"({_PREFIX[f.kind]})" for f in self.fields)
-        found = re.match(rf"\s*{words}\s*{values}", text, re.IGNORECASE | re.ASCII)
-        return list(found.groups()) if found else None
-
-    def _split(self, text: str) -> list[str] | None:
-        words = WORD.findall(self.words(text))
-        if len(words) < len(self.fields):
-            return None
-        return [prefix(f.kind, word) for f, word in zip(self.fields, words, strict=False)]
-
-
-def prefix(kind: Kind, word: str) -> str:
-    """What the engine's field reader makes of a word: its longest prefix that fits, or 0."""
-    if kind is Kind.WORD:
-        return word
-    found = re.match(_PREFIX[Kind.INT if kind is Kind.LABEL else kind], word, re.ASCII)
-    return found.group() if found else "0"
-
-
-def _fields_of(tree: lark.Tree[lark.Token]) -> list[lark.Token]:
-    return [child for child in tree.children if isinstance(child, lark.Token)]
-
-
-def parse_any(rule: str, text: str) -> tuple[str, list[lark.Token]]:
-    """Parse a line of a rule that has alternatives: the alternative's name and its fields.
-
-    Raises lark.UnexpectedInput.
-    """
-    tree = parser().parse(text, start=rule)
-    return str(tree.data), _fields_of(tree)
-
+from jktools.syntax.records import WORD as WORD
+from jktools.syntax.records import Field as Field
+from jktools.syntax.records import Kind as Kind
+from jktools.syntax.records import Record as Record
+from jktools.syntax.records import fields, fields_of
+from jktools.syntax.records import keywords as keywords
+from jktools.syntax.records import prefix as prefix
+from jktools.syntax.template.records import TEMPLATE as TEMPLATE
+from jktools.syntax.template.records import THING as THING
 
 START_RULES = (
     "section", "count", "header_line", "sound", "entry", "material", "vertex", "texture_vertex", "adjoin", "surface",
-    "normal", "sector_line", "sector_vertex", "cog", "template", "thing", "arch_line",
+    "normal", "sector_line", "sector_vertex", "cog", "arch_line",
     "light_jed", "light_sed", "light_rgb", "layer_members",
 )  # fmt: skip
 
@@ -157,84 +32,81 @@ def parser() -> lark.Lark:
     return grammar.load("jkl", START_RULES)
 
 
-def _fields(kind: Kind, names: str) -> tuple[Field, ...]:
-    return tuple(Field(name.strip(), kind) for name in names.split(","))
+def parse_any(rule: str, text: str) -> tuple[str, list[lark.Token]]:
+    """Parse a line of a rule that has alternatives: the alternative's name and its fields.
+
+    Raises lark.UnexpectedInput.
+    """
+    tree = parser().parse(text, start=rule)
+    return str(tree.data), fields_of(tree)
 
 
 _LABEL = (Field("label", Kind.LABEL),)
 
 
-def _named(alias: str, rule: str, title: str, keyword: str, fields: tuple[Field, ...]) -> Record:
-    return Record(rule, title, fields, scanned=True, keyword=keyword, alias=alias)
+def _named(alias: str, rule: str, title: str, keyword: str, values: tuple[Field, ...]) -> Record:
+    return Record(rule, title, values, scanned=True, keyword=keyword, alias=alias, grammar=parser)
 
 
-COUNT_FIELDS = _fields(Kind.INT, "count")
-SOUND = Record("sound", "sound", _fields(Kind.WORD, "name"), more="*")
-MATERIAL = Record("material", "material", _LABEL + _fields(Kind.WORD, "name"), more="ff")
-ENTRY = Record("entry", "entry", _LABEL + _fields(Kind.WORD, "name"))
-VERTEX = Record("vertex", "vertex", _LABEL + _fields(Kind.FLOAT, "x, y, z"), scanned=True)
-TEXTURE_VERTEX = Record("texture_vertex", "texture vertex", _LABEL + _fields(Kind.FLOAT, "u, v"), scanned=True)
-ADJOIN = Record(
+def _record(rule: str, title: str, values: tuple[Field, ...], *, scanned: bool = False, more: str = "") -> Record:
+    return Record(rule, title, values, scanned=scanned, more=more, grammar=parser)
+
+
+COUNT_FIELDS = fields(Kind.INT, "count")
+SOUND = _record("sound", "sound", fields(Kind.WORD, "name"), more="*")
+MATERIAL = _record("material", "material", _LABEL + fields(Kind.WORD, "name"), more="ff")
+ENTRY = _record("entry", "entry", _LABEL + fields(Kind.WORD, "name"))
+VERTEX = _record("vertex", "vertex", _LABEL + fields(Kind.FLOAT, "x, y, z"), scanned=True)
+TEXTURE_VERTEX = _record("texture_vertex", "texture vertex", _LABEL + fields(Kind.FLOAT, "u, v"), scanned=True)
+ADJOIN = _record(
     "adjoin", "adjoin",
     (*_LABEL, Field("flags", Kind.HEX), Field("mirror", Kind.INT), Field("distance", Kind.FLOAT)),
 )  # fmt: skip
-SURFACE = Record(
+SURFACE = _record(
     "surface", "surface",
     (
         *_LABEL,
         Field("material", Kind.INT),
-        *_fields(Kind.HEX, "surface flags, face flags"),
-        *_fields(Kind.INT, "geometry mode, light mode, texture mode, adjoin"),
+        *fields(Kind.HEX, "surface flags, face flags"),
+        *fields(Kind.INT, "geometry mode, light mode, texture mode, adjoin"),
         Field("extra light", Kind.FLOAT),
         Field("vertex count", Kind.INT),
     ),
 )  # fmt: skip
-NORMAL = Record("normal", "normal", _LABEL + _fields(Kind.FLOAT, "x, y, z"), scanned=True)
-SECTOR_VERTEX = Record("sector_vertex", "sector vertex", _LABEL + _fields(Kind.INT, "vertex"), scanned=True)
-COG = Record("cog", "cog", _LABEL + _fields(Kind.WORD, "script"), more="*")
-TEMPLATE = Record("template", "template", _fields(Kind.WORD, "name, parent"), more="*")
-THING = Record(
-    "thing", "thing",
-    (
-        *_LABEL,
-        *_fields(Kind.WORD, "template, name"),
-        *_fields(Kind.FLOAT, "x, y, z, pitch, yaw, roll"),
-        Field("sector", Kind.INT),
-    ),
-    more="*",
-)  # fmt: skip
-
-_PLACE = _fields(Kind.FLOAT, "x, y, z")
+NORMAL = _record("normal", "normal", _LABEL + fields(Kind.FLOAT, "x, y, z"), scanned=True)
+SECTOR_VERTEX = _record("sector_vertex", "sector vertex", _LABEL + fields(Kind.INT, "vertex"), scanned=True)
+COG = _record("cog", "cog", _LABEL + fields(Kind.WORD, "script"), more="*")
+_PLACE = fields(Kind.FLOAT, "x, y, z")
 _FLAGS_AND_LAYER = (Field("flags", Kind.HEX), Field("layer", Kind.INT))
-LIGHT_JED = Record(
-    "light_jed", "light", (*_LABEL, Field("type", Kind.HEX), *_PLACE, *_fields(Kind.FLOAT, "intensity, range"))
+LIGHT_JED = _record(
+    "light_jed", "light", (*_LABEL, Field("type", Kind.HEX), *_PLACE, *fields(Kind.FLOAT, "intensity, range"))
 )
-LIGHT_SED = Record(
-    "light_sed", "light", (*_LABEL, *_FLAGS_AND_LAYER, *_PLACE, *_fields(Kind.FLOAT, "range, intensity"))
+LIGHT_SED = _record(
+    "light_sed", "light", (*_LABEL, *_FLAGS_AND_LAYER, *_PLACE, *fields(Kind.FLOAT, "range, intensity"))
 )
-LIGHT_RGB = Record(
+LIGHT_RGB = _record(
     "light_rgb", "light",
-    (*_LABEL, *_FLAGS_AND_LAYER, *_PLACE, *_fields(Kind.FLOAT, "range, intensity, red, green, blue")),
+    (*_LABEL, *_FLAGS_AND_LAYER, *_PLACE, *fields(Kind.FLOAT, "range, intensity, red, green, blue")),
 )  # fmt: skip
 
 
 def _by_alias(rule: str, title: str, lines: Sequence[tuple[str, str, tuple[Field, ...]]]) -> Mapping[str, Record]:
-    return MappingProxyType({alias: _named(alias, rule, title, keyword, fields) for alias, keyword, fields in lines})
+    return MappingProxyType({alias: _named(alias, rule, title, keyword, values) for alias, keyword, values in lines})
 
 
-_BOX = _fields(Kind.FLOAT, "x0, y0, z0, x1, y1, z1")
-_XYZ = _fields(Kind.FLOAT, "x, y, z")
-_VALUE = _fields(Kind.FLOAT, "value")
-_FOUR = _fields(Kind.FLOAT, "first, second, third, fourth")
+_BOX = fields(Kind.FLOAT, "x0, y0, z0, x1, y1, z1")
+_XYZ = fields(Kind.FLOAT, "x, y, z")
+_VALUE = fields(Kind.FLOAT, "value")
+_FOUR = fields(Kind.FLOAT, "first, second, third, fourth")
 
 HEADER_LINES = _by_alias("header_line", "header", [
-    ("version", "version", _fields(Kind.INT, "version")),
+    ("version", "version", fields(Kind.INT, "version")),
     ("gravity", "world gravity", _VALUE),
     ("ceiling_sky_z", "ceiling sky z", _VALUE),
     ("horizon_distance", "horizon distance", _VALUE),
     ("horizon_pixels_per_rev", "horizon pixels per rev", _VALUE),
-    ("horizon_sky_offset", "horizon sky offset", _fields(Kind.FLOAT, "u, v")),
-    ("ceiling_sky_offset", "ceiling sky offset", _fields(Kind.FLOAT, "u, v")),
+    ("horizon_sky_offset", "horizon sky offset", fields(Kind.FLOAT, "u, v")),
+    ("ceiling_sky_offset", "ceiling sky offset", fields(Kind.FLOAT, "u, v")),
     ("mipmap_distances", "mipmap distances", _FOUR),
     ("lod_distances", "lod distances", _FOUR),
     ("perspective_distance", "perspective distance", _VALUE),
@@ -243,28 +115,28 @@ HEADER_LINES = _by_alias("header_line", "header", [
 """The lines of HEADER in the order that the engine demands (sithHeader_Load)."""
 
 SECTOR_LINES = _by_alias("sector_line", "sector", [
-    ("sector", "sector", _fields(Kind.INT, "number")),
-    ("flags", "flags", _fields(Kind.HEX, "flags")),
+    ("sector", "sector", fields(Kind.INT, "number")),
+    ("flags", "flags", fields(Kind.HEX, "flags")),
     ("ambient_light", "ambient light", _VALUE),
     ("extra_light", "extra light", _VALUE),
-    ("colormap", "colormap", _fields(Kind.INT, "colormap")),
-    ("tint", "tint", _fields(Kind.FLOAT, "red, green, blue")),
+    ("colormap", "colormap", fields(Kind.INT, "colormap")),
+    ("tint", "tint", fields(Kind.FLOAT, "red, green, blue")),
     ("bound_box", "boundbox", _BOX),
     ("collide_box", "collidebox", _BOX),
     ("sector_sound", "sound", (Field("name", Kind.WORD), Field("volume", Kind.FLOAT))),
     ("center", "center", _XYZ),
     ("radius", "radius", _VALUE),
-    ("vertex_count", "vertices", _fields(Kind.INT, "count")),
-    ("surface_range", "surfaces", _fields(Kind.INT, "first, count")),
+    ("vertex_count", "vertices", fields(Kind.INT, "count")),
+    ("surface_range", "surfaces", fields(Kind.INT, "first, count")),
 ])  # fmt: skip
 """The lines of one sector in the order that the engine demands (sithSector_Load)."""
 
 OPTIONAL_SECTOR_LINES = frozenset({"tint", "collide_box", "sector_sound"})
 
 ARCH_LINES = _by_alias("arch_line", "arch lighting", [
-    ("arch_object", "archobject", _fields(Kind.INT, "number")),
-    ("arch_meshes", "nummeshes:", _fields(Kind.INT, "count")),
-    ("arch_mesh", "mesh", _fields(Kind.INT, "number")),
-    ("arch_vertices", "numvertices:", _fields(Kind.INT, "count")),
-    ("arch_vertex", "", _LABEL + _fields(Kind.FLOAT, "mono, red, green, blue")),
+    ("arch_object", "archobject", fields(Kind.INT, "number")),
+    ("arch_meshes", "nummeshes:", fields(Kind.INT, "count")),
+    ("arch_mesh", "mesh", fields(Kind.INT, "number")),
+    ("arch_vertices", "numvertices:", fields(Kind.INT, "count")),
+    ("arch_vertex", "", _LABEL + fields(Kind.FLOAT, "mono, red, green, blue")),
 ])  # fmt: skip

@@ -15,8 +15,8 @@ from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context, quote
 from jktools.syntax.jkl.document import Heading, Int32, Sectors
 from jktools.syntax.jkl.records import OPTIONAL_SECTOR_LINES, SECTOR_LINES
-from jktools.syntax.jkl.rows import floats, ints, merge
 from jktools.syntax.lines import END, SECTION
+from jktools.syntax.rows import floats, ints, merge
 
 _ORDER = tuple(SECTOR_LINES)
 

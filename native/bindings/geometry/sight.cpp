@@ -5,7 +5,7 @@
 
 #include "../arrays.hpp"
 #include "doors.hpp"
-#include "tier.hpp"
+#include "tiers.hpp"
 
 namespace jk {
 namespace {
@@ -20,10 +20,10 @@ void make(Viewer* viewer, Array<double> positions, Array<Index> surface_start, A
 auto sight(const Viewer& viewer, Array<double> origins, Array<Index> sectors, Array<double> targets,
            const char* accuracy, unsigned threads) {
     const Tier tier = tier_of(accuracy);
-    Sight found;
+    Sight found(0);
     {
         nb::gil_scoped_release release;
-        found = viewer.sight(view(origins), view(sectors), view(targets), tier, threads);
+        found = viewer.sight({view(origins), view(sectors), view(targets)}, tier, threads);
     }
     return std::make_tuple(hand_over(std::move(found.visible)), hand_over(std::move(found.crossed)),
                            hand_over(std::move(found.blocker)));
@@ -55,7 +55,7 @@ auto explain(const Viewer& viewer, Array<double> origin, Index sector, Array<dou
 
 auto doubts(const Viewer& viewer, Array<double> origins, Array<Index> sectors, Array<double> targets) {
     nb::gil_scoped_release release;
-    const Doubts found = viewer.doubts(view(origins), view(sectors), view(targets));
+    const Doubts found = viewer.doubts({view(origins), view(sectors), view(targets)});
     return std::make_tuple(found.sectors, found.queries);
 }
 

@@ -1,9 +1,9 @@
 """JK902: a file on which jktools itself failed."""
 
-from jktools.linter.rule import FILE_FAILED, reading_rule
+from jktools.linter.rule import ANY_DOCUMENT, FILE_FAILED, reading_rule
 
 
-@reading_rule(FILE_FAILED, since="0.1.0")
+@reading_rule(FILE_FAILED, since="0.1.0", looks_at=ANY_DOCUMENT)
 def file_failed() -> None:
     """Report a file whose reading raised an error: a bug in jktools, not in the level.
 

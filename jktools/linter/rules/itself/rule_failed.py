@@ -1,9 +1,9 @@
 """JK901: a rule of jktools that failed."""
 
-from jktools.linter.rule import RULE_FAILED, reading_rule
+from jktools.linter.rule import ANY_DOCUMENT, RULE_FAILED, reading_rule
 
 
-@reading_rule(RULE_FAILED, since="0.1.0")
+@reading_rule(RULE_FAILED, since="0.1.0", looks_at=ANY_DOCUMENT)
 def rule_failed() -> None:
     """Report a rule that raised an error: a bug in jktools, not in the level.
 

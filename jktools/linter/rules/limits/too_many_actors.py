@@ -18,7 +18,7 @@ def too_many_actors(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     ## Why it matters
     The engine has room for the thoughts of 256. The others stand where they were placed.
     """
-    actors = [i for i, type_ in enumerate(facts.thing_types) if type_ == "actor"]
+    actors = [i for i, thing in enumerate(level.resolved_things) if thing.type == "actor"]
     if len(actors) <= MOST_ACTORS:
         return
     first = level.things[actors[MOST_ACTORS]]

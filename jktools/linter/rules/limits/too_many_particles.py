@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
-from jktools.model import Level, Template, Thing
+from jktools.model import Level
 
 MOST_PARTICLES = 256
 """Vertices of one particle cloud (rdParticle.h in the decompiled engine)."""
@@ -29,19 +28,13 @@ def too_many_particles(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World templates 4
         rain none type=particle count=256
     """
-    owners: list[tuple[Template | Thing, str | None]] = [
-        *zip(level.templates, facts.template_types, strict=True),
-        *zip(level.things, facts.thing_types, strict=True),
-    ]
-    for owner, type_ in owners:
-        counts = [value for key, value in owner.parameters if key.lower() == "count"]
-        if type_ != "particle" or not counts:
+    for held in (*level.resolved_templates.entries, *level.resolved_things):
+        count = held.values.get("count")
+        if count is None or held.number("count") <= MOST_PARTICLES or count.origins[0].owner != held.owner:
             continue
-        count = re.match(r"\+?(\d+)", counts[-1])
-        if count is not None and int(count.group(1)) > MOST_PARTICLES:
-            yield Finding(
-                Label(owner.span),
-                f"{owner.title} has count={counts[-1]}, but the engine draws at most {MOST_PARTICLES} particles",
-                "lower the count, or use several clouds; the engine overwrites memory",
-                owner.subject,
-            )
+        yield Finding(
+            Label(count.origins[0].span),
+            f"{held.owner.title} has count={count.text}, but the engine draws at most {MOST_PARTICLES} particles",
+            "lower the count, or use several clouds; the engine overwrites memory",
+            held.owner.subject,
+        )

@@ -19,7 +19,7 @@ def too_many_player_starts(level: Level, facts: LevelFacts) -> Iterator[Finding]
     ## Why it matters
     The engine knows 32 players and gives no start beyond that to anybody.
     """
-    starts = [i for i, type_ in enumerate(facts.thing_types) if type_ == PLAYER]
+    starts = [i for i, thing in enumerate(level.resolved_things) if thing.type == PLAYER]
     if len(starts) <= MOST_PLAYERS:
         return
     first = level.things[starts[MOST_PLAYERS]]

@@ -8,18 +8,17 @@ from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
-
-TEMPLATE_PARAMETERS = frozenset({"creatething", "explode", "weapon", "weapon2", "debris", "trailthing", "fleshhit"})
-"""Parameters whose value is the name of a template (sithThing_LoadThingParam and its kin)."""
+from jktools.syntax.template.parameters import TEMPLATE_KEYS
 
 
 @rule("JK106", "template-reference-defined-later", severity=Severity.WARNING, since="0.1.0")
 def template_reference_defined_later(level: Level, facts: LevelFacts) -> Iterator[Finding]:
-    """Report a template with a parameter that names a template below it.
+    """Report a template with a parameter that names a template below it, or itself.
 
     ## Why it matters
     The engine resolves `creatething`, `explode`, `weapon`, `debris` and the like while it reads the template and
-    knows only those above: the parameter stays empty, so that nothing explodes, is shot or is created.
+    knows only those above: the parameter stays empty, so that nothing explodes, is shot or is created. For the same
+    reason no template creates itself, alone or by way of others, whatever its lines say.
 
     ## Bad
         World templates 5
@@ -34,12 +33,14 @@ def template_reference_defined_later(level: Level, facts: LevelFacts) -> Iterato
     for template in level.templates:
         for key, value in template.parameters:
             at = level.template_by_name.get(value.lower(), -1)
-            if key.lower() not in TEMPLATE_PARAMETERS or at < template.index:
+            if key.lower() not in TEMPLATE_KEYS or at < template.index:
                 continue
             yield Finding(
                 Label(template.span),
-                f"{template.title} has {key}={value}, but {value} stands below, as template {at}",
-                f"move {value} above {template.name}",
+                f"{template.title} has {key}={value}, but is that itself, and knows only what stands above"
+                if at == template.index
+                else f"{template.title} has {key}={value}, but {value} stands below, as template {at}",
+                "remove it, or let a COG create it" if at == template.index else f"move {value} above {template.name}",
                 template.subject,
-                (Label(level.templates[at].head_span, f"template {at}"),),
+                () if at == template.index else (Label(level.templates[at].head_span, f"template {at}"),),
             )

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
-from jktools.linter.rules.references.template_reference_defined_later import TEMPLATE_PARAMETERS
 from jktools.linter.spelling import did_you_mean
 from jktools.model import Level, Template, Thing
+from jktools.syntax.template.parameters import TEMPLATE_KEYS
 
 NO_TEMPLATE = "none"
 
@@ -34,7 +34,7 @@ def undefined_template_reference(level: Level, facts: LevelFacts) -> Iterator[Fi
     for owner in owners:
         for key, value in owner.parameters:
             name = value.lower()
-            if key.lower() not in TEMPLATE_PARAMETERS or name in level.template_by_name or name == NO_TEMPLATE:
+            if key.lower() not in TEMPLATE_KEYS or name in level.template_by_name or name == NO_TEMPLATE:
                 continue
             yield Finding(
                 Label(owner.span),

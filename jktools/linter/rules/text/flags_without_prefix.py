@@ -13,9 +13,7 @@ from jktools.model import Level
 from jktools.source import Span
 from jktools.syntax.jkl import Document, Table, records
 from jktools.syntax.jkl.records import Kind, Record
-
-FLAG_PARAMETERS = frozenset({"thingflags", "typeflags", "physflags", "damageclass"})
-"""Parameters that the engine reads with %x (sithThing_LoadThingParam and its kin in the decompiled engine)."""
+from jktools.syntax.template.parameters import FLAG_KEYS
 
 _DECIMAL = re.compile(r"[1-9]\d+")
 _HEXADECIMAL = re.compile(r"\d*[a-f][0-9a-f]*", re.IGNORECASE)
@@ -98,5 +96,5 @@ def _parameters(document: Document, kind: str, lines: list[int]) -> Iterator[_Ba
         text = document.lines.text(line)
         for found in re.finditer(r"(?<![^\s,])(\w+)=([^\s,]+)", text):
             key, value = found.groups()
-            if key.lower() in FLAG_PARAMETERS and not value.lower().startswith("0x"):
+            if key.lower() in FLAG_KEYS and not value.lower().startswith("0x"):
                 yield _Bare(value, key, Subject(kind, index), document.lines.part(line, *found.span(2)))

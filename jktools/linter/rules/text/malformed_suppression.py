@@ -1,10 +1,10 @@
 """JK021: a comment to jktools that cannot be understood."""
 
 from jktools.diagnostics import MALFORMED_SUPPRESSION
-from jktools.linter.rule import reading_rule
+from jktools.linter.rule import ANY_DOCUMENT, reading_rule
 
 
-@reading_rule(MALFORMED_SUPPRESSION, since="0.1.0")
+@reading_rule(MALFORMED_SUPPRESSION, since="0.1.0", looks_at=ANY_DOCUMENT)
 def malformed_suppression() -> None:
     """Report a comment `jktools: ...` that cannot be understood, or that names no rule.
 

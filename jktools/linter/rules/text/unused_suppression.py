@@ -1,10 +1,10 @@
 """JK020: a comment that hides nothing."""
 
 from jktools.diagnostics import UNUSED_SUPPRESSION
-from jktools.linter.rule import reading_rule
+from jktools.linter.rule import ANY_DOCUMENT, reading_rule
 
 
-@reading_rule(UNUSED_SUPPRESSION, since="0.1.0")
+@reading_rule(UNUSED_SUPPRESSION, since="0.1.0", looks_at=ANY_DOCUMENT)
 def unused_suppression() -> None:
     """Report a comment `jktools: ignore` that hides no finding.
 

@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
-from jktools.model import Level, Template, Thing
+from jktools.model import Level
+from jktools.model.templates import Ignored, Reason, Resolved
+from jktools.syntax.template.values import ValueKind, scan
 
 LEAST_FRAMES = 1
 
 
 @rule("JK407", "frames-ignored", severity=Severity.WARNING, since="0.1.0")
 def frames_ignored(level: Level, facts: LevelFacts) -> Iterator[Finding]:
-    """Report more frames than `numframes` says, a `numframes` below 1, and a second one.
+    """Report frames of a path before or beyond what `numframes` says, a `numframes` below 1, and a second one.
 
     ## Why it matters
     The engine makes room for as many frames as the first `numframes` says and ignores what is beyond
     (sithTrackThing_LoadPathParams in the decompiled engine): a COG that moves the thing there moves it elsewhere.
 
-    Only frames behind a `numframes` of the same line are judged.
+    A template hands its frames and their number on: a child or thing adds to them, while there is room.
 
     ## Bad
         World things 3
@@ -35,36 +36,35 @@ def frames_ignored(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World things 3
         1: crate crate .5 1.5 .5 0 0 0 1 move=path numframes=2 frame=(0/0/0:0/0/0) frame=(0/0/1:0/0/0)
     """
-    owners: list[Template | Thing] = [*level.templates, *level.things]
-    for owner in owners:
-        fault = _fault(owner.parameters)
-        if fault is not None:
+    for held in (*level.resolved_templates.entries, *level.resolved_things):
+        faults = [i for i in held.ignored if (i.key, i.reason) in _FAULTS]
+        if faults and not held.leaves_level:
             yield Finding(
-                Label(owner.span),
-                f"{owner.title} {fault}",
+                Label(faults[0].origin.span),
+                f"{held.owner.title} {_fault(held, faults)}",
                 "write the number of frames once, before them; the engine ignores the rest",
-                owner.subject,
+                held.owner.subject,
             )
 
 
-def _fault(parameters: Sequence[tuple[str, str]]) -> str | None:
-    """What is wrong with the frames of one line, or None."""
-    keys = [key.lower() for key, _ in parameters]
-    if "numframes" not in keys:
-        return None
-    first = keys.index("numframes")
-    announced = _number(parameters[first][1])
-    frames = keys[first:].count("frame")
-    if announced < LEAST_FRAMES:
-        return f"has numframes={parameters[first][1]}, but a path needs at least {LEAST_FRAMES} frame"
-    if keys.count("numframes") > 1:
-        return f"has numframes {keys.count('numframes')} times, but only the first counts, {announced}"
-    if frames > announced:
-        return f"has {frames} frames, but numframes={announced}"
-    return None
+_FAULTS = {("frame", Reason.FULL), ("numframes", Reason.REJECTED)}
 
 
-def _number(text: str) -> int:
-    """What the engine's atoi makes of a text."""
-    found = re.match(r"[-+]?\d+", text)
-    return int(found.group()) if found else 0
+def _fault(held: Resolved, faults: Sequence[Ignored]) -> str:
+    """What is wrong with the frames of one line."""
+    count = held.values.get("numframes")
+    for ignored in faults:
+        if ignored.key == "numframes":
+            if int(str(scan(ValueKind.INT, ignored.text))) < LEAST_FRAMES or count is None:
+                return f"has numframes={ignored.text}, but a path needs at least {LEAST_FRAMES} frame"
+            owner = count.origins[0].owner
+            where = "already" if owner is held.owner else f"from {owner.title}"
+            return f"has numframes={ignored.text}, but has numframes={count.text} {where}, and the first counts"
+    if count is None:
+        return "has a frame, but no numframes makes room for it"
+    first = count.origins[0]
+    if first.owner is held.owner and first.place > faults[0].origin.place:
+        return f"has a frame before numframes={count.text}, but only that makes room for it"
+    frames = held.values["frame"].value
+    assert isinstance(frames, tuple)
+    return f"has {len(frames) + len(faults)} frames, but numframes={count.text}"

@@ -28,7 +28,7 @@ def no_player_start(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """
     if not level.has_geometry or level.document.things.broken.any():
         return
-    if any(type_ is None or type_ == PLAYER for type_ in facts.thing_types):
+    if any(thing.type == PLAYER or not thing.knows_type for thing in level.resolved_things):
         return
     things = level.document.sections.get("things")
     yield Finding(

@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
-from jktools.facts.templates import UNTYPED
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
+from jktools.model.templates import FREE
 
 
 @rule("JK406", "template-without-type", severity=Severity.WARNING, since="0.1.0")
@@ -25,14 +25,15 @@ def template_without_type(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World templates 4
         bigcrate crate size=.2
     """
-    for index, type_ in enumerate(facts.template_types):
-        template = level.templates[index]
-        if type_ not in (UNTYPED, "free") or template.dropped is not None:
+    for template in level.templates:
+        held = template.resolved
+        first = level.template_by_name[template.name.lower()] == template.index
+        if held.type != FREE or held.leaves_level or template.broken or not first:
             continue
         yield Finding(
             Label(template.head_span),
             f"{template.title} neither has nor inherits a type, but the engine drops a template without one"
-            if type_ == UNTYPED
+            if "type" not in held.values
             else f"{template.title} has the type free, but the engine drops such a template",
             "add type= to it, or give it a parent that has one",
             template.subject,

@@ -1,0 +1,242 @@
+"""What sends a handler its message, and how often that can happen.
+
+`pulse` and `SetTimer` come at most once an interval and once a frame, whatever the script does. A `SetTimerEx` comes
+once for each call; so does what a script sends itself. Everything else is the level's or the player's doing.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from jktools.facts.cog import ranges
+from jktools.facts.cog.dataflow import Known
+from jktools.facts.cog.lowering import Flow, Op
+from jktools.facts.cog.ranges import Range
+from jktools.facts.cog.reach import Reach
+from jktools.facts.cog.repeats import NEVER, Counter, Repeats
+from jktools.model.cog.messages import ONCE
+from jktools.model.cog.program import Handler, Program
+from jktools.model.cog.verbs import Verb
+from jktools.syntax.cog.nodes import Call, Name
+
+PULSE, TIMER = 13, 4
+TRIGGER = 40
+FRAMES_PER_SECOND = 50.0
+
+SourceKind = Literal[
+    "pulse", "timer", "each timer", "thing pulse", "thing timer", "message", "trigger", "once", "event"
+]
+
+
+@dataclass(frozen=True, slots=True)
+class _Sending:
+    kind: SourceKind
+    message: int | None
+    seconds: int | None
+    """Which argument says when."""
+
+
+_SENDERS = {
+    "setpulse": _Sending("pulse", PULSE, 0),
+    "settimer": _Sending("timer", TIMER, 0),
+    "settimerex": _Sending("each timer", TIMER, 0),
+    "setthingpulse": _Sending("thing pulse", PULSE, 1),
+    "setthingtimer": _Sending("thing timer", TIMER, 1),
+    "sendmessage": _Sending("message", None, None),
+    "sendmessageex": _Sending("message", None, None),
+    "sendmessageexradius": _Sending("message", None, None),
+    "sendtrigger": _Sending("trigger", TRIGGER, None),
+}
+_MESSAGE_ARGUMENT = {"sendmessage": 1, "sendmessageex": 1, "sendmessageexradius": 3}
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """A call of a verb that can run."""
+
+    call: Call
+    verb: Verb
+    block: int
+    arguments: tuple[Range, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """One way in which a handler gets its message."""
+
+    kind: SourceKind
+    seconds: Range | None = None
+    """The interval or delay that the call sets; None where there is none."""
+    site: Site | None = None
+    senders: tuple[str, ...] = ()
+    """Labels of the handlers that lead to the call."""
+
+    @property
+    def least(self) -> float:
+        """The shortest time between two of these messages; 0 where it can be as short as a frame."""
+        if self.seconds is None:
+            return 0.0
+        return max(ranges.as_flex(self.seconds)[0], 0.0)
+
+    @property
+    def off(self) -> bool:
+        """Whether the call can only switch the pulse or timer off."""
+        if self.seconds is None:
+            return False
+        most = ranges.as_flex(self.seconds)[1]
+        return most < 0 if self.kind == "each timer" else most <= 0
+
+
+class Rates:
+    """Of all handlers of a script under one binding of its symbols."""
+
+    def __init__(self, program: Program, flow: Flow, reach: Reach, known: Known) -> None:
+        """Work out nothing yet."""
+        self.program = program
+        self.flow = flow
+        self.reach = reach
+        self.known = known
+        self.counter = Counter(program, flow, reach, known)
+
+    @cached_property
+    def sites(self) -> tuple[Site, ...]:
+        """Every call of a verb that can run, in the order of the code."""
+        found = []
+        for index in sorted(self.known.visited):
+            for op, verb, node in self.flow.blocks[index].code:
+                if op is Op.CALL and isinstance(node, Call):
+                    found.append(Site(node, verb, index, self.known.arguments[node]))
+        return tuple(found)
+
+    @cached_property
+    def repeats(self) -> Mapping[str, Mapping[int, Repeats]]:
+        """For each handler's label, how often a run passes each block."""
+        return {h.label: self.counter.of_handler(self.flow.label_block[h.label]) for h in self.program.handlers}
+
+    def repeats_of(self, label: str, site: Site) -> Repeats:
+        """How often a call happens in the runs of a handler."""
+        return self.repeats[label].get(site.block, NEVER)
+
+    def senders_of(self, site: Site) -> tuple[str, ...]:
+        """The handlers that lead to a call."""
+        return tuple(label for label, passes in self.repeats.items() if site.block in passes)
+
+    @cached_property
+    def sources(self) -> Mapping[str, tuple[Source, ...]]:
+        """For each handler's label, all that can send its message."""
+        found: dict[str, list[Source]] = {h.label: [] for h in self.program.handlers}
+        for handler in self.program.handlers:
+            found[handler.label] = [Source("once" if handler.message.name in ONCE else "event")]
+            if handler.message.id in (PULSE, TIMER):
+                found[handler.label].clear()
+        for site in self.sites:
+            sending = _SENDERS.get(site.verb.name)
+            if sending is None:
+                continue
+            seconds = None if sending.seconds is None else site.arguments[sending.seconds]
+            senders = self.senders_of(site)
+            for handler in self.program.handlers:
+                if self._reaches(site, sending, handler):
+                    found[handler.label].append(Source(sending.kind, seconds, site, senders))
+        return {label: tuple(each) for label, each in found.items()}
+
+    def _reaches(self, site: Site, sending: _Sending, handler: Handler) -> bool:
+        if sending.message is not None:
+            return sending.message == handler.message.id
+        at = _MESSAGE_ARGUMENT[site.verb.name]
+        low, high = ranges.as_int(site.arguments[at])
+        return low <= handler.message.id <= high and (site.verb.name == "sendmessageexradius" or self._to_self(site))
+
+    def _to_self(self, site: Site) -> bool:
+        """Whether a message can come back to this script.
+
+        A cog symbol that nothing assigns means another script: a level that binds one to itself is not thought of.
+        """
+        target = site.call.arguments[0] if site.call.arguments else None
+        if isinstance(target, Name):
+            slot = self.program.slot_of.get(target.name)
+            return slot is None or slot.type != "cog" or slot.index in self.counter.stores
+        return True
+
+    @cached_property
+    def arms(self) -> Mapping[str, frozenset[str]]:
+        """For each handler's label, the handlers whose messages its code can cause."""
+        found: dict[str, set[str]] = {h.label: set() for h in self.program.handlers}
+        for label, sources in self.sources.items():
+            for source in sources:
+                for sender in source.senders:
+                    found[sender].add(label)
+        return {label: frozenset(each) for label, each in found.items()}
+
+    def most_runs(
+        self,
+        seconds: float,
+        events: Mapping[str, float],
+        *,
+        things: float = 0.0,
+        frames: float = FRAMES_PER_SECOND,
+    ) -> dict[str, float]:
+        """The greatest number of runs of each handler in so many seconds; infinite where nothing bounds it.
+
+        `events` counts, by label, what comes from outside the script; `things` is how many things can carry a pulse
+        or timer that this script gets, `frames` the game's frames per second.
+        """
+        found = {label: events.get(label, 0.0) for label in self.sources}
+        pending = set(self.sources)
+        while pending:  # senders first: what is left over sends itself in a circle
+            ready = sorted(
+                label
+                for label in pending
+                if not any(s in pending and s != label for source in self.sources[label] for s in self._counted(source))
+            )
+            for label in ready or sorted(pending):
+                found[label] += self._runs(label, seconds, found, things, frames) if ready else math.inf
+            pending -= set(ready or pending)
+        return found
+
+    def _counted(self, source: Source) -> tuple[str, ...]:
+        """The handlers whose runs count for a source."""
+        return source.senders if source.kind in ("each timer", "message", "trigger") else ()
+
+    def _runs(self, label: str, seconds: float, runs: Mapping[str, float], things: float, frames: float) -> float:
+        total = 0.0
+        least: dict[str, float] = {}
+        chain: float | None = None
+        for source in self.sources[label]:
+            if source.off:
+                continue
+            if source.kind in ("pulse", "timer", "thing pulse", "thing timer"):
+                shortest = max(source.least, 1 / frames)
+                least[source.kind] = min(least.get(source.kind, math.inf), shortest)
+            elif source.site is not None:
+                for sender in source.senders:
+                    passes = self.repeats_of(sender, source.site)
+                    if passes.per_interruption:
+                        return math.inf  # every message, this one too, can bring one more
+                    if sender != label:
+                        total += passes.most(runs[sender], seconds)
+                    elif source.kind == "each timer" and passes.per_run <= 1 and chain is None:
+                        chain = max(source.least, 1 / frames)
+                    else:
+                        return math.inf
+        for kind, shortest in least.items():
+            total += (things if kind.startswith("thing") else 1.0) * (seconds / shortest + 1)
+        if chain is not None:
+            total = (total + runs[label]) * (seconds / chain + 1)
+        return total
+
+
+def describe_seconds(seconds: Range) -> str:
+    """For messages: `0.5 s`, `0.1 to 2 s`, `an unknown time`."""
+    low, high = ranges.as_flex(seconds)
+    if low == high:
+        return f"{low:.6g} s"
+    if math.isinf(low) and math.isinf(high):
+        return "an unknown time"
+    if math.isinf(high):
+        return f"{low:.6g} s or more"
+    return f"up to {high:.6g} s" if math.isinf(low) else f"{low:.6g} to {high:.6g} s"

@@ -1,0 +1,304 @@
+"""How often a run of a handler passes each block: loops that end after a known count, and loops that sleep.
+
+A block's passes in `t` seconds with `n` runs of the handler are at most `n * per_run + t * per_second`, and a little
+more when messages arrive while the script sleeps: while one is handled the sleep below goes on. A loop whose end
+nobody can prove, and which does not sleep in every turn, makes `per_run` infinite.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from jktools.facts.cog import ranges
+from jktools.facts.cog.dataflow import Known
+from jktools.facts.cog.lowering import Block, Flow, Op
+from jktools.facts.cog.reach import Reach
+from jktools.model.cog.program import Program
+from jktools.syntax.cog.nodes import Assign, Binary, Expression, Name
+
+MOST_FRAMES = 4
+"""How deep `call` and messages nest."""
+SHORTEST_SLEEP = 0.1
+"""What a sleep of 0 seconds or less lasts."""
+
+
+class Repeats(NamedTuple):
+    """Bounds on how often something runs."""
+
+    per_run: float
+    per_second: float
+    per_interruption: float = 0.0
+    """More for each message, to any handler of the script, that finds it asleep."""
+
+    def most(self, runs: float, seconds: float, interruptions: float = 0.0) -> float:
+        """The greatest count in so many seconds with so many runs and messages."""
+        fixed = runs * self.per_run if runs else 0.0
+        return fixed + seconds * self.per_second + (interruptions * self.per_interruption if interruptions else 0.0)
+
+    def times(self, count: float) -> Repeats:
+        """For what runs `count` times as often."""
+        return Repeats(self.per_run * count, self.per_second * count, self.per_interruption * count)
+
+
+NEVER = Repeats(0.0, 0.0)
+ONCE = Repeats(1.0, 0.0)
+UNBOUNDED = Repeats(math.inf, 0.0)
+
+
+def components(blocks: Sequence[Block], inside: frozenset[int], cut: int = -1) -> list[list[int]]:
+    """The strongly connected parts of a subgraph that hold a cycle; edges into `cut` do not count.
+
+    Tarjan's algorithm without recursion.
+    """
+    order: dict[int, int] = {}
+    low: dict[int, int] = {}
+    open_: list[int] = []
+    is_open: set[int] = set()
+    found: list[list[int]] = []
+
+    def ways(index: int) -> list[int]:
+        return [s for s in blocks[index].successors if s in inside and s != cut]
+
+    for root in sorted(inside):
+        if root in order:
+            continue
+        pending = [(root, iter(ways(root)))]
+        order[root] = low[root] = len(order)
+        open_.append(root)
+        is_open.add(root)
+        while pending:
+            at, rest = pending[-1]
+            for successor in rest:
+                if successor not in order:
+                    order[successor] = low[successor] = len(order)
+                    open_.append(successor)
+                    is_open.add(successor)
+                    pending.append((successor, iter(ways(successor))))
+                    break
+                if successor in is_open:
+                    low[at] = min(low[at], order[successor])
+            else:
+                pending.pop()
+                if pending:
+                    above = pending[-1][0]
+                    low[above] = min(low[above], low[at])
+                if low[at] == order[at]:
+                    part = []
+                    while True:
+                        member = open_.pop()
+                        is_open.discard(member)
+                        part.append(member)
+                        if member == at:
+                            break
+                    if len(part) > 1 or at in ways(at):
+                        found.append(sorted(part))
+    return found
+
+
+class Counter:
+    """Counts passes within the code that one start leads to."""
+
+    def __init__(self, program: Program, flow: Flow, reach: Reach, known: Known) -> None:
+        """Count nothing yet."""
+        self.program = program
+        self.flow = flow
+        self.reach = reach
+        self.known = known
+        self._within: dict[int, Mapping[int, Repeats]] = {}
+        self.stores = self._stores()
+
+    def of_handler(self, start: int) -> Mapping[int, Repeats]:
+        """Passes of each block in one run of the handler that starts here, through calls too."""
+        total: dict[int, Repeats] = {}
+        level = {start: ONCE}
+        for _ in range(1 + MOST_FRAMES):
+            below: dict[int, Repeats] = {}
+            for entry, count in level.items():
+                for index, inner in self.within(entry).items():
+                    passes = _nested(count, inner)
+                    total[index] = _sum(total.get(index, NEVER), passes)
+                    callee = self.flow.blocks[index].callee
+                    if callee >= 0:
+                        below[callee] = _sum(below.get(callee, NEVER), passes)
+            level = below
+            if not level:
+                break
+        return total
+
+    def within(self, entry: int) -> Mapping[int, Repeats]:
+        """Passes of each block after one start here, not counting what it calls."""
+        if entry not in self._within:
+            inside = frozenset(i for i in self.reach.blocks_from([entry], into_calls=False) if i in self.known.visited)
+            found = dict.fromkeys(sorted(inside), ONCE)
+            pending = [(part, ONCE) for part in components(self.flow.blocks, inside)]
+            while pending:
+                part, outer = pending.pop()
+                header, passes = self._loop(frozenset(part), inside, outer, entry)
+                for index in part:
+                    found[index] = passes
+                if header >= 0:
+                    pending += [(p, passes) for p in components(self.flow.blocks, frozenset(part), cut=header)]
+            self._within[entry] = found
+        return self._within[entry]
+
+    def _loop(self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int) -> tuple[int, Repeats]:
+        """The header of a loop, -1 when it has several, and the passes of what is in it."""
+        outside = inside - part
+        headers = [i for i in sorted(part) if i == entry or outside.intersection(self.flow.blocks[i].predecessors)]
+        if len(headers) != 1:
+            return -1, UNBOUNDED
+        header = headers[0]
+        turns = self._turns(header, part)
+        if turns < math.inf:
+            return header, outer.times(turns + 1)
+        pace = self._pace(header, part)
+        if pace > 0:
+            return header, Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1)
+        return header, UNBOUNDED
+
+    def _pace(self, header: int, part: frozenset[int]) -> float:
+        """The least time that every turn sleeps; 0 when a turn may not sleep at all."""
+        sleeping = {i: pace for i in part if (pace := self._sleeps(self.flow.blocks[i])) > 0}
+        awake = part - sleeping.keys()
+        if header in awake and any(header in p for p in components(self.flow.blocks, awake)):
+            return 0.0
+        return min(sleeping.values(), default=0.0)
+
+    def _sleeps(self, block: Block) -> float:
+        """How long a pass of a block sleeps at least."""
+        longest = 0.0
+        for op, arg, node in block.code:
+            if op is Op.CALL and arg.name == "sleep" and node in self.known.arguments:
+                longest = max(longest, least_sleep(self.known.arguments[node][0]))
+        return longest
+
+    # ---- loops that count
+
+    def _stores(self) -> Mapping[int, list[tuple[int, Assign]]]:
+        """By slot: the block and node of each assignment that can run; an array's counts for every slot."""
+        found: dict[int, list[tuple[int, Assign]]] = {}
+        for index in sorted(self.known.visited):
+            for op, slot, node in self.flow.blocks[index].code:
+                if op is Op.STORE:
+                    found.setdefault(slot, []).append((index, node))  # type: ignore[arg-type]
+                elif op is Op.STORE_AT:
+                    for each in range(len(self.program.slots)):
+                        found.setdefault(each, []).append((index, node))  # type: ignore[arg-type]
+        return found
+
+    def _turns(self, header: int, part: frozenset[int]) -> float:
+        """The most turns of a loop whose condition compares a variable that every turn moves by a step."""
+        testing = [
+            i for i in sorted(part)
+            if self.flow.blocks[i].tests and any(s not in part for s in self.flow.blocks[i].successors)
+        ]  # fmt: skip
+        best = math.inf
+        for index in testing:
+            if self._every_turn(index, header, part):
+                best = min(best, self._turns_by(index, header, part))
+        return best
+
+    def _turns_by(self, testing: int, header: int, part: frozenset[int]) -> float:
+        block = self.flow.blocks[testing]
+        stays = block.successors[0] in part
+        condition = block.condition
+        if not isinstance(condition, Binary) or condition not in self.known.operands:
+            return math.inf
+        left, right = self.known.operands[condition]
+        sides: list[tuple[Expression, str, ranges.Range, ranges.Range]] = [
+            (condition.left, condition.op, left, right),
+            (condition.right, ranges.MIRROR.get(condition.op, ""), right, left),
+        ]
+        best = math.inf
+        for variable, operator, own, limit in sides:
+            if isinstance(variable, Name) and operator in ("<", "<=", ">", ">="):
+                going = operator if stays else ranges.INVERSE[operator]
+                best = min(best, self._counted(variable, going, own, limit, header, part))
+        return best
+
+    def _counted(
+        self, variable: Name, going: str, own: ranges.Range, limit: ranges.Range, header: int, part: frozenset[int]
+    ) -> float:
+        slot = self.program.slot_of.get(variable.name)
+        if slot is None or (own.kinds | limit.kinds) & ~ranges.NUMBER:
+            return math.inf
+        known = self.known
+        stores = self.stores.get(slot.index, [])
+        moving = [
+            (index, node)
+            for index, node in stores
+            if index in part and not self._ends(known.stored[node], going, limit)
+        ]
+        if len(moving) != 1 or not self._every_turn(moving[0][0], header, part):
+            return math.inf
+        if len(stores) > 1 and self._others_run(part):
+            return math.inf
+        step = self._step(moving[0][1], slot.name)
+        up = going in ("<", "<=")
+        least = step[0] if up else -step[1]
+        start, end = (own.low, limit.high) if up else (-own.high, -limit.low)
+        if least <= 0 or math.isinf(start) or math.isinf(end):
+            return math.inf
+        # Adding rounds to float32: where that can eat a sixteenth of a step, nothing is proven.
+        farthest = max(abs(start), abs(end)) + max(abs(step[0]), abs(step[1]))
+        if farthest * 2.0**-24 > least / 16:
+            return math.inf
+        exact = all(float(x).is_integer() for x in (least, start)) and farthest < ranges.EXACT_INT
+        return max(0.0, math.floor((end - start) / (least if exact else least * 15 / 16)) + 1)
+
+    def _ends(self, stored: ranges.Range, going: str, limit: ranges.Range) -> bool:
+        """Whether an assignment in a loop ends it, as `i = 100;` where another language has `break`."""
+        return ranges.truth(ranges.binary(going, stored, limit)) is False
+
+    def _step(self, store: Assign, name: str) -> tuple[float, float]:
+        """The interval that `name = name + step` adds; (0, 0) for another shape."""
+        value = store.value
+        if isinstance(value, Binary) and value.op in "+-" and value in self.known.operands:
+            left, right = self.known.operands[value]
+            if isinstance(value.left, Name) and value.left.name == name:
+                low, high = ranges.as_flex(right)
+                return (low, high) if value.op == "+" else (-high, -low)
+            if value.op == "+" and isinstance(value.right, Name) and value.right.name == name:
+                return ranges.as_flex(left)
+        return 0.0, 0.0
+
+    def _others_run(self, part: frozenset[int]) -> bool:
+        """Whether other handlers, or other runs of this one, can come between the turns."""
+        blocks = self.flow.blocks
+        return any(
+            blocks[i].callee >= 0 or any(op is Op.CALL and arg.delivers for op, arg, _ in blocks[i].code) for i in part
+        )
+
+    def _every_turn(self, index: int, header: int, part: frozenset[int]) -> bool:
+        """Whether each way round the loop passes a block, and none passes it twice."""
+        without = part - {index}
+        if index != header and any(header in p for p in components(self.flow.blocks, without)):
+            return False
+        return not any(index in p for p in components(self.flow.blocks, part, cut=header)) or index == header
+
+
+def least_sleep(seconds: ranges.Range) -> float:
+    """How long `Sleep` lasts at least: 0 or less is 0.1 s."""
+    low, high = ranges.as_flex(seconds)
+    if low > 0:
+        return low
+    return SHORTEST_SLEEP if high <= 0 else 0.0
+
+
+def _sum(a: Repeats, b: Repeats) -> Repeats:
+    return Repeats(*(x + y for x, y in zip(a, b, strict=True)))
+
+
+def _nested(outer: Repeats, inner: Repeats) -> Repeats:
+    """Passes of what runs `inner` each time that something runs which itself runs `outer`.
+
+    What goes on by time goes on once at most at a time: a script runs one frame, the others wait.
+    """
+    if outer == NEVER:
+        return NEVER
+    if math.isinf(outer.per_run) or math.isinf(inner.per_run):
+        return UNBOUNDED
+    again = outer.times(inner.per_run)
+    return Repeats(again.per_run, again.per_second + inner.per_second, again.per_interruption + inner.per_interruption)

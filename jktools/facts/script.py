@@ -1,0 +1,65 @@
+"""The facts of one script."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from jktools.diagnostics import Label
+from jktools.facts.cog.analysis import Analysis
+from jktools.facts.cog.dataflow import Known
+from jktools.facts.cog.rates import Rates
+from jktools.facts.cog.reach import Reach
+from jktools.model.cog.program import Program, Vocabulary
+from jktools.source import Span
+from jktools.syntax.cog import Script
+from jktools.syntax.cog.nodes import Node, Unreadable
+
+
+class ScriptFacts:
+    """Facts are pulled: nothing is computed that no rule asks for, and nothing twice.
+
+    They hold for every value that a level can give the script; `jktools.facts.cog.instance` knows one placed script.
+    """
+
+    def __init__(self, script: Script, vocabulary: Vocabulary | None = None) -> None:
+        """Know nothing yet; `vocabulary` has the user's own verbs, else it is that of the script's game."""
+        self.script = script
+        self.vocabulary = vocabulary or Vocabulary(script.game)
+
+    @cached_property
+    def program(self) -> Program:
+        """The script with its names bound."""
+        return Program(self.script.header, self.script.code, self.vocabulary)
+
+    @cached_property
+    def analysis(self) -> Analysis:
+        """Its flow, for any values that a level gives it."""
+        return Analysis(self.program)
+
+    @property
+    def reach(self) -> Reach:
+        """Which code can run at all."""
+        return self.analysis.reach
+
+    @property
+    def known(self) -> Known:
+        """What variables, arguments and conditions can be."""
+        return self.analysis.known
+
+    @property
+    def rates(self) -> Rates:
+        """What sends each handler its message, and how often."""
+        return self.analysis.rates
+
+    @cached_property
+    def is_whole(self) -> bool:
+        """Whether all of the code could be read, so that what is not there is missing."""
+        return not any(isinstance(s, Unreadable) for s in self.program.statements)
+
+    def span(self, node: Node) -> Span:
+        """Where a node stands."""
+        return self.script.source.span(node.start, node.end)
+
+    def label(self, node: Node, text: str = "") -> Label:
+        """A label at a node."""
+        return Label(self.span(node), text)

@@ -1,0 +1,1 @@
+"""What is wrong inside the files that a level refers to."""

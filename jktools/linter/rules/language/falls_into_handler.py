@@ -1,0 +1,57 @@
+"""JK552: a handler that runs on into the next one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from jktools.diagnostics import Severity
+from jktools.facts import ScriptFacts
+from jktools.linter.rule import Finding, rule
+from jktools.syntax.cog import Script
+
+
+@rule("JK552", "falls-into-handler", severity=Severity.WARNING, since="0.1.0", looks_at=Script)
+def falls_into_handler(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
+    """Report code that runs on into the handler of another message.
+
+    ## Why it matters
+    A label does not end what stands above it. Without `return` a handler goes on with the next handler's code, as if
+    that message had come too. Labels directly on top of each other are not reported: they share one handler. Nor is a
+    handler of `user0` to `user7`, which only scripts send: code that runs on into it mostly wants what stands there.
+
+    ## Bad
+        symbols
+        message startup
+        message activate
+        end
+        code
+        startup:
+            Print("start");
+        activate:
+            Print("active");
+            return;
+        end
+
+    ## Good
+        symbols
+        message startup
+        message activate
+        end
+        code
+        startup:
+            Print("start");
+            return;
+        activate:
+            Print("active");
+            return;
+        end
+    """
+    for label, source in facts.reach.falls:
+        name = label.label.name
+        handler = facts.program.handler_of.get(name)
+        if handler is not None and name != source and not handler.message.name.startswith("user"):
+            yield Finding(
+                facts.label(label.label),
+                f'the code below "{source}" runs on into "{name}", which is a handler of its own',
+                'end the code above with "return;"',
+            )

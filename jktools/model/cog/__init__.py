@@ -1,0 +1,1 @@
+"""What a script means: verbs, messages, values, and the names that it binds."""

@@ -1,0 +1,1 @@
+"""The files that a level refers to: models, materials, sprites and the like, read as the engine reads them."""

@@ -1,0 +1,1 @@
+"""Templates and things: their parameters as the engine reads them, and the template libraries of editors."""
