@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from fractions import Fraction
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from jktools.session import load
 from tests.support.levels import CORPUS, level_of, two_rooms
 
 PACK = CORPUS / "gob/masspack.gob"
+SEGMENTS = 1000 if os.environ.get("JKTOOLS_FUZZ") else 100
 
 
 def test_the_sign_of_roots() -> None:
@@ -132,11 +134,11 @@ def test_the_faces_of_real_models_against_every_triangle() -> None:
             )
             triangles = triangles[area > 0]
             low, high = vertices.min(axis=0), vertices.max(axis=0)
-            a, b = rng.uniform(low - 0.2 * (high - low) - 0.05, high + 0.2 * (high - low) + 0.05, (2, 100, 3))
+            a, b = rng.uniform(low - 0.2 * (high - low) - 0.05, high + 0.2 * (high - low) + 0.05, (2, SEGMENTS, 3))
             b[:10] = vertices[rng.integers(len(vertices), size=10)] * 2 - a[:10]  # through vertices
-            found = ~mesh.sight(a, np.zeros(100, np.int32), b).visible
+            found = ~mesh.sight(a, np.zeros(SEGMENTS, np.int32), b).visible
             np.testing.assert_array_equal(found, brute(triangles, a, b), err_msg=name)
-            crossed, count = crossed + int(found.sum()), count + 100
+            crossed, count = crossed + int(found.sum()), count + SEGMENTS
     assert len(models) >= 10
     assert 0.1 < crossed / count < 0.9
 
