@@ -38,6 +38,7 @@ pytest: $(VENV)/built
 bench: $(VENV)/built
 	pytest benchmarks -s -o addopts="-q --strict-markers --import-mode=importlib"
 	python -m benchmarks.bench_sight
+	python -m benchmarks.bench_drop
 
 # The tests that grow with the time they are given: every corpus level, thousands of random faults, a million queries.
 fuzz: $(VENV)/built

@@ -71,15 +71,17 @@ def meeting(level: Level, thing: Thing, a: Point, b: Point, named: frozenset[int
 
 def sphere_meeting(thing: Thing, a: Point, b: Point) -> Along | None:
     """Tell where the segment from a to b enters the sphere of a thing's `size`; its start, if that lies within."""
-    radius = Fraction(thing.resolved.number("size"))
+    size = thing.resolved.number("size")
+    if not size > 0:
+        return None
     place = [Fraction(float(x)) for x in thing.position]
     along = [Fraction(q) - Fraction(p) for p, q in zip(a, b, strict=True)]
     off = [Fraction(p) - c for p, c in zip(a, place, strict=True)]
     length = sum((x * x for x in along), Fraction(0))
     towards = sum((x * y for x, y in zip(off, along, strict=True)), Fraction(0))
-    outside = sum((x * x for x in off), Fraction(0)) - radius * radius
-    if radius <= 0:
-        return None
+    if math.isinf(size):
+        return Along(Fraction(0), Fraction(0), length)
+    outside = sum((x * x for x in off), Fraction(0)) - Fraction(size) ** 2
     if outside < 0:
         return Along(Fraction(0), Fraction(0), length)
     root = towards * towards - length * outside
@@ -100,6 +102,8 @@ def body_mesh(level: Level, thing: Thing) -> SectorMesh | None:
         return None
     pose = rest_pose(model)
     if not len(pose):
+        return None
+    if not np.isfinite(thing.angles).all():
         return None
     turn = orientation.matrix(thing.angles)
     vertices = pose.vertices.astype(np.float64) @ turn.T + thing.position.astype(np.float64)

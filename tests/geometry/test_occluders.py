@@ -37,7 +37,7 @@ def test_the_sign_of_roots() -> None:
     assert zeros > 20
 
 
-def placed(size: float) -> object:
+def placed(size: float | str) -> object:
     level = level_of(
         two_rooms(
             "World templates 4",
@@ -78,6 +78,11 @@ def test_which_of_two_spheres_comes_first() -> None:
     assert other.before(one)
     assert not one.before(other)
     assert not one.before(one)
+
+
+@pytest.mark.parametrize(("size", "met"), [("1e99", True), ("0", False), ("-1", False), ("nan", False)])
+def test_sizes_that_make_no_sphere(size: str, met: bool) -> None:
+    assert (sphere_meeting(placed(size), (5.0, 5.0, 5.0), (6.0, 5.0, 5.0)) is not None) == met
 
 
 def brute(triangles: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
