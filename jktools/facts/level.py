@@ -9,6 +9,7 @@ from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.movers import Mover, movers
 from jktools.facts.openings import named_by_cogs
 from jktools.facts.reachability import Reach, reach
+from jktools.facts.references import FileReference, file_references
 from jktools.facts.script import ScriptFacts
 from jktools.facts.standing import Carriers
 from jktools.geometry import (
@@ -43,6 +44,11 @@ class LevelFacts:
         self.level = level
         self.vocabulary = vocabulary or Vocabulary(level.game)
         self._cels: dict[int, int | None] = {}
+
+    @cached_property
+    def file_references(self) -> tuple[FileReference, ...]:
+        """The files that the level names."""
+        return tuple(file_references(self.level))
 
     @cached_property
     def convexity(self) -> Convexity:
