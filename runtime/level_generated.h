@@ -42,6 +42,9 @@ struct ThingsBuilder;
 struct Cogs;
 struct CogsBuilder;
 
+struct Omission;
+struct OmissionBuilder;
+
 struct Level;
 struct LevelBuilder;
 
@@ -1190,7 +1193,7 @@ inline ::flatbuffers::Offset<Geometry> CreateGeometryDirect(
       sector_surface_count__);
 }
 
-/// Templates as written, without what they inherit.
+/// The templates that the level can reach: as written, and with all that they inherit.
 struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef TemplatesBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
@@ -1199,7 +1202,16 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_PARENT = 8,
     VT_PARAMETER_START = 10,
     VT_PARAMETER_KEY = 12,
-    VT_PARAMETER_VALUE = 14
+    VT_PARAMETER_VALUE = 14,
+    VT_TYPE = 16,
+    VT_MOVE = 18,
+    VT_HAS_AI = 20,
+    VT_VALUE_START = 22,
+    VT_VALUE_KEY = 24,
+    VT_VALUE_TEXT = 26,
+    VT_VALUE_SOURCE = 28,
+    VT_NUMBER_START = 30,
+    VT_NUMBER = 32
   };
   /// Position of the record in its section.
   const ::flatbuffers::Vector<int32_t> *source() const {
@@ -1220,6 +1232,43 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *parameter_value() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_PARAMETER_VALUE);
   }
+  /// 0 free, 1 camera, 2 actor, 3 weapon, 4 debris, 5 item, 6 explosion, 7 cog, 8 ghost, 9 corpse, 10 player,
+  /// 11 particle.
+  const ::flatbuffers::Vector<int32_t> *type() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_TYPE);
+  }
+  /// 0 none, 1 physics, 2 path.
+  const ::flatbuffers::Vector<int32_t> *move() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_MOVE);
+  }
+  /// 1 for a template whose things have an AI.
+  const ::flatbuffers::Vector<int32_t> *has_ai() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_HAS_AI);
+  }
+  /// Cuts the values; what a template does not name is 0 or nothing.
+  const ::flatbuffers::Vector<uint32_t> *value_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VALUE_START);
+  }
+  /// The parameter, as `size`.
+  const ::flatbuffers::Vector<uint32_t> *value_key() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VALUE_KEY);
+  }
+  /// A name, several parted by a blank for debris; none for what `number` holds, and for no name.
+  const ::flatbuffers::Vector<int32_t> *value_text() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_VALUE_TEXT);
+  }
+  /// The template whose line set it, by its position in the section; -1 for one of the game's static.jkl.
+  const ::flatbuffers::Vector<int32_t> *value_source() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_VALUE_SOURCE);
+  }
+  /// Cuts `number`: 1 for a number or flags, 3 for a vector, 6 a frame, 0 for a name and for what is not known.
+  const ::flatbuffers::Vector<uint32_t> *number_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_NUMBER_START);
+  }
+  /// float32 values and 32-bit flags, both exact.
+  const ::flatbuffers::Vector<double> *number() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_NUMBER);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -1235,6 +1284,24 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(parameter_key()) &&
            VerifyOffset(verifier, VT_PARAMETER_VALUE) &&
            verifier.VerifyVector(parameter_value()) &&
+           VerifyOffset(verifier, VT_TYPE) &&
+           verifier.VerifyVector(type()) &&
+           VerifyOffset(verifier, VT_MOVE) &&
+           verifier.VerifyVector(move()) &&
+           VerifyOffset(verifier, VT_HAS_AI) &&
+           verifier.VerifyVector(has_ai()) &&
+           VerifyOffset(verifier, VT_VALUE_START) &&
+           verifier.VerifyVector(value_start()) &&
+           VerifyOffset(verifier, VT_VALUE_KEY) &&
+           verifier.VerifyVector(value_key()) &&
+           VerifyOffset(verifier, VT_VALUE_TEXT) &&
+           verifier.VerifyVector(value_text()) &&
+           VerifyOffset(verifier, VT_VALUE_SOURCE) &&
+           verifier.VerifyVector(value_source()) &&
+           VerifyOffset(verifier, VT_NUMBER_START) &&
+           verifier.VerifyVector(number_start()) &&
+           VerifyOffset(verifier, VT_NUMBER) &&
+           verifier.VerifyVector(number()) &&
            verifier.EndTable();
   }
 };
@@ -1261,6 +1328,33 @@ struct TemplatesBuilder {
   void add_parameter_value(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parameter_value) {
     fbb_.AddOffset(Templates::VT_PARAMETER_VALUE, parameter_value);
   }
+  void add_type(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> type) {
+    fbb_.AddOffset(Templates::VT_TYPE, type);
+  }
+  void add_move(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> move) {
+    fbb_.AddOffset(Templates::VT_MOVE, move);
+  }
+  void add_has_ai(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> has_ai) {
+    fbb_.AddOffset(Templates::VT_HAS_AI, has_ai);
+  }
+  void add_value_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> value_start) {
+    fbb_.AddOffset(Templates::VT_VALUE_START, value_start);
+  }
+  void add_value_key(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> value_key) {
+    fbb_.AddOffset(Templates::VT_VALUE_KEY, value_key);
+  }
+  void add_value_text(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> value_text) {
+    fbb_.AddOffset(Templates::VT_VALUE_TEXT, value_text);
+  }
+  void add_value_source(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> value_source) {
+    fbb_.AddOffset(Templates::VT_VALUE_SOURCE, value_source);
+  }
+  void add_number_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> number_start) {
+    fbb_.AddOffset(Templates::VT_NUMBER_START, number_start);
+  }
+  void add_number(::flatbuffers::Offset<::flatbuffers::Vector<double>> number) {
+    fbb_.AddOffset(Templates::VT_NUMBER, number);
+  }
   explicit TemplatesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -1279,8 +1373,26 @@ inline ::flatbuffers::Offset<Templates> CreateTemplates(
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parent = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parameter_start = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parameter_key = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parameter_value = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parameter_value = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> type = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> move = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> has_ai = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> value_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> value_key = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> value_text = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> value_source = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> number_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> number = 0) {
   TemplatesBuilder builder_(_fbb);
+  builder_.add_number(number);
+  builder_.add_number_start(number_start);
+  builder_.add_value_source(value_source);
+  builder_.add_value_text(value_text);
+  builder_.add_value_key(value_key);
+  builder_.add_value_start(value_start);
+  builder_.add_has_ai(has_ai);
+  builder_.add_move(move);
+  builder_.add_type(type);
   builder_.add_parameter_value(parameter_value);
   builder_.add_parameter_key(parameter_key);
   builder_.add_parameter_start(parameter_start);
@@ -1297,13 +1409,31 @@ inline ::flatbuffers::Offset<Templates> CreateTemplatesDirect(
     const std::vector<uint32_t> *parent = nullptr,
     const std::vector<uint32_t> *parameter_start = nullptr,
     const std::vector<uint32_t> *parameter_key = nullptr,
-    const std::vector<uint32_t> *parameter_value = nullptr) {
+    const std::vector<uint32_t> *parameter_value = nullptr,
+    const std::vector<int32_t> *type = nullptr,
+    const std::vector<int32_t> *move = nullptr,
+    const std::vector<int32_t> *has_ai = nullptr,
+    const std::vector<uint32_t> *value_start = nullptr,
+    const std::vector<uint32_t> *value_key = nullptr,
+    const std::vector<int32_t> *value_text = nullptr,
+    const std::vector<int32_t> *value_source = nullptr,
+    const std::vector<uint32_t> *number_start = nullptr,
+    const std::vector<double> *number = nullptr) {
   auto source__ = source ? _fbb.CreateVector<int32_t>(*source) : 0;
   auto name__ = name ? _fbb.CreateVector<uint32_t>(*name) : 0;
   auto parent__ = parent ? _fbb.CreateVector<uint32_t>(*parent) : 0;
   auto parameter_start__ = parameter_start ? _fbb.CreateVector<uint32_t>(*parameter_start) : 0;
   auto parameter_key__ = parameter_key ? _fbb.CreateVector<uint32_t>(*parameter_key) : 0;
   auto parameter_value__ = parameter_value ? _fbb.CreateVector<uint32_t>(*parameter_value) : 0;
+  auto type__ = type ? _fbb.CreateVector<int32_t>(*type) : 0;
+  auto move__ = move ? _fbb.CreateVector<int32_t>(*move) : 0;
+  auto has_ai__ = has_ai ? _fbb.CreateVector<int32_t>(*has_ai) : 0;
+  auto value_start__ = value_start ? _fbb.CreateVector<uint32_t>(*value_start) : 0;
+  auto value_key__ = value_key ? _fbb.CreateVector<uint32_t>(*value_key) : 0;
+  auto value_text__ = value_text ? _fbb.CreateVector<int32_t>(*value_text) : 0;
+  auto value_source__ = value_source ? _fbb.CreateVector<int32_t>(*value_source) : 0;
+  auto number_start__ = number_start ? _fbb.CreateVector<uint32_t>(*number_start) : 0;
+  auto number__ = number ? _fbb.CreateVector<double>(*number) : 0;
   return jktools::CreateTemplates(
       _fbb,
       source__,
@@ -1311,7 +1441,16 @@ inline ::flatbuffers::Offset<Templates> CreateTemplatesDirect(
       parent__,
       parameter_start__,
       parameter_key__,
-      parameter_value__);
+      parameter_value__,
+      type__,
+      move__,
+      has_ai__,
+      value_start__,
+      value_key__,
+      value_text__,
+      value_source__,
+      number_start__,
+      number__);
 }
 
 /// Things as placed.
@@ -1607,6 +1746,105 @@ inline ::flatbuffers::Offset<Cogs> CreateCogsDirect(
       value__);
 }
 
+/// Records of a section that the file leaves out, and why. Since 1.1.
+struct Omission FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef OmissionBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_SECTION = 4,
+    VT_REASON = 6,
+    VT_SOURCE = 8,
+    VT_NAME = 10
+  };
+  const ::flatbuffers::String *section() const {
+    return GetPointer<const ::flatbuffers::String *>(VT_SECTION);
+  }
+  const ::flatbuffers::String *reason() const {
+    return GetPointer<const ::flatbuffers::String *>(VT_REASON);
+  }
+  /// Positions of the records in their section.
+  const ::flatbuffers::Vector<int32_t> *source() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SOURCE);
+  }
+  const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *name() const {
+    return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_NAME);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffsetRequired(verifier, VT_SECTION) &&
+           verifier.VerifyString(section()) &&
+           VerifyOffsetRequired(verifier, VT_REASON) &&
+           verifier.VerifyString(reason()) &&
+           VerifyOffset(verifier, VT_SOURCE) &&
+           verifier.VerifyVector(source()) &&
+           VerifyOffset(verifier, VT_NAME) &&
+           verifier.VerifyVector(name()) &&
+           verifier.VerifyVectorOfStrings(name()) &&
+           verifier.EndTable();
+  }
+};
+
+struct OmissionBuilder {
+  typedef Omission Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_section(::flatbuffers::Offset<::flatbuffers::String> section) {
+    fbb_.AddOffset(Omission::VT_SECTION, section);
+  }
+  void add_reason(::flatbuffers::Offset<::flatbuffers::String> reason) {
+    fbb_.AddOffset(Omission::VT_REASON, reason);
+  }
+  void add_source(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> source) {
+    fbb_.AddOffset(Omission::VT_SOURCE, source);
+  }
+  void add_name(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> name) {
+    fbb_.AddOffset(Omission::VT_NAME, name);
+  }
+  explicit OmissionBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Omission> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Omission>(end);
+    fbb_.Required(o, Omission::VT_SECTION);
+    fbb_.Required(o, Omission::VT_REASON);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Omission> CreateOmission(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::String> section = 0,
+    ::flatbuffers::Offset<::flatbuffers::String> reason = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> source = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> name = 0) {
+  OmissionBuilder builder_(_fbb);
+  builder_.add_name(name);
+  builder_.add_source(source);
+  builder_.add_reason(reason);
+  builder_.add_section(section);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Omission> CreateOmissionDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const char *section = nullptr,
+    const char *reason = nullptr,
+    const std::vector<int32_t> *source = nullptr,
+    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *name = nullptr) {
+  auto section__ = section ? _fbb.CreateString(section) : 0;
+  auto reason__ = reason ? _fbb.CreateString(reason) : 0;
+  auto source__ = source ? _fbb.CreateVector<int32_t>(*source) : 0;
+  auto name__ = name ? _fbb.CreateVector<::flatbuffers::Offset<::flatbuffers::String>>(*name) : 0;
+  return jktools::CreateOmission(
+      _fbb,
+      section__,
+      reason__,
+      source__,
+      name__);
+}
+
 struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef LevelBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
@@ -1623,7 +1861,8 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_GEOMETRY = 24,
     VT_TEMPLATES = 26,
     VT_THINGS = 28,
-    VT_COGS = 30
+    VT_COGS = 30,
+    VT_OMISSIONS = 32
   };
   /// Readers refuse a file whose major version they do not know.
   uint16_t format_major() const {
@@ -1670,6 +1909,9 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Cogs *cogs() const {
     return GetPointer<const jktools::Cogs *>(VT_COGS);
   }
+  const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>> *omissions() const {
+    return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>> *>(VT_OMISSIONS);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -1702,6 +1944,9 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyTable(things()) &&
            VerifyOffset(verifier, VT_COGS) &&
            verifier.VerifyTable(cogs()) &&
+           VerifyOffset(verifier, VT_OMISSIONS) &&
+           verifier.VerifyVector(omissions()) &&
+           verifier.VerifyVectorOfTables(omissions()) &&
            verifier.EndTable();
   }
 };
@@ -1752,6 +1997,9 @@ struct LevelBuilder {
   void add_cogs(::flatbuffers::Offset<jktools::Cogs> cogs) {
     fbb_.AddOffset(Level::VT_COGS, cogs);
   }
+  void add_omissions(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>>> omissions) {
+    fbb_.AddOffset(Level::VT_OMISSIONS, omissions);
+  }
   explicit LevelBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -1784,8 +2032,10 @@ inline ::flatbuffers::Offset<Level> CreateLevel(
     ::flatbuffers::Offset<jktools::Geometry> geometry = 0,
     ::flatbuffers::Offset<jktools::Templates> templates = 0,
     ::flatbuffers::Offset<jktools::Things> things = 0,
-    ::flatbuffers::Offset<jktools::Cogs> cogs = 0) {
+    ::flatbuffers::Offset<jktools::Cogs> cogs = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>>> omissions = 0) {
   LevelBuilder builder_(_fbb);
+  builder_.add_omissions(omissions);
   builder_.add_cogs(cogs);
   builder_.add_things(things);
   builder_.add_templates(templates);
@@ -1818,12 +2068,14 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
     ::flatbuffers::Offset<jktools::Geometry> geometry = 0,
     ::flatbuffers::Offset<jktools::Templates> templates = 0,
     ::flatbuffers::Offset<jktools::Things> things = 0,
-    ::flatbuffers::Offset<jktools::Cogs> cogs = 0) {
+    ::flatbuffers::Offset<jktools::Cogs> cogs = 0,
+    const std::vector<::flatbuffers::Offset<jktools::Omission>> *omissions = nullptr) {
   auto tool_version__ = tool_version ? _fbb.CreateString(tool_version) : 0;
   auto checksum__ = checksum ? _fbb.CreateVector<uint8_t>(*checksum) : 0;
   auto inputs__ = inputs ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Input>>(*inputs) : 0;
   auto passes__ = passes ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Pass>>(*passes) : 0;
   auto strings__ = strings ? _fbb.CreateVector<::flatbuffers::Offset<::flatbuffers::String>>(*strings) : 0;
+  auto omissions__ = omissions ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Omission>>(*omissions) : 0;
   return jktools::CreateLevel(
       _fbb,
       format_major,
@@ -1839,7 +2091,8 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
       geometry,
       templates,
       things,
-      cogs);
+      cogs,
+      omissions__);
 }
 
 inline const jktools::Level *GetLevel(const void *buf) {

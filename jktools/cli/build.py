@@ -24,6 +24,10 @@ _PASS = click.Choice(CHOICES)
     "-o", "--output", "out", type=click.Path(path_type=Path), required=True, metavar="OUT",
     help="A folder, or a .jklb file when there is one level.",
 )  # fmt: skip
+@click.option(
+    "--cut-anyway", is_flag=True,
+    help="Leave out templates that nothing is known to reach, though not all COGs are at hand to tell.",
+)  # fmt: skip
 @click.option("--only", multiple=True, type=_PASS, metavar="PASS", help="Run this pass and those that it needs.")
 @click.option("--skip", multiple=True, type=_PASS, metavar="PASS", help="Do not run this pass.")
 @click.option("--keep-going", is_flag=True, help="Leave out the section of a pass that fails, and compile the rest.")
@@ -32,6 +36,7 @@ _PASS = click.Choice(CHOICES)
 def command(
     paths: tuple[str, ...],
     out: Path,
+    cut_anyway: bool,
     only: tuple[str, ...],
     skip: tuple[str, ...],
     keep_going: bool,
@@ -42,6 +47,9 @@ def command(
     strict_grammar: bool,
 ) -> int:
     """Compile every level found to OUT/<name>.jklb.
+
+    A level keeps the templates that it can reach. While a COG that it uses cannot be read, which often lies in the
+    game's own files (--base), all of them stay; `jktools inspect` tells.
 
     Levels of the same name from several packs go to OUT/<pack>/<name>.jklb. A JKL without GEORESOURCE, as
     static.jkl, is skipped with a note. A pass computes one section of the file; `jktools inspect` tells which ran and
@@ -54,7 +62,9 @@ def command(
     _, found = next(configured(paths, config))
     settings = overridden(found.settings, game, base, strict_grammar)
     with progress("compiling") as report:
-        compiling = CompileSettings(only=frozenset(only), skip=frozenset(skip), keep_going=keep_going)
+        compiling = CompileSettings(
+            only=frozenset(only), skip=frozenset(skip), keep_going=keep_going, cut_anyway=cut_anyway
+        )
         built = build_all(paths, out, settings, report, compiling)
     if not quiet:
         for level, target, size in built.written:

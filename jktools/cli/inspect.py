@@ -36,3 +36,5 @@ def _lines(level: CompiledLevel, verify: bool) -> Iterator[str]:
         section = level.sections.get(name)
         size = f"{sum(c.nbytes for c in section.columns.values()):>10} bytes" if section else "   not run"
         yield f"    {name:<12}{size}" + (f"  ({state['note']})" if state["note"] else "")
+    for each in level.omissions:
+        yield f"  left out of {each['section']}, because {each['reason']}: {' '.join(each['name'])}"

@@ -6,7 +6,7 @@ Each entry mirrors a field of grammars/level.fbs, whose attributes say the same;
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 STRINGS = "strings"
@@ -28,14 +28,13 @@ class Column:
     cuts: str | None = None
     index_of: str | None = None
     or_none: bool = False
+    since: int = 0
+    """Minor version of the format that brought it; older files lack it."""
 
 
 def _rows(leader: str, columns: Mapping[str, Column]) -> dict[str, Column]:
     """Columns that all have as many rows as `leader`; `*_start` columns have one more."""
-    return {
-        name: Column(c.type, c.width, None if name == leader else leader, c.cuts, c.index_of, c.or_none)
-        for name, c in columns.items()
-    }
+    return {name: replace(c, rows_of=None if name == leader else leader) for name, c in columns.items()}
 
 
 _TEXT = Column("u4", index_of=STRINGS)
@@ -104,8 +103,22 @@ _PARAMETERS: Mapping[str, Column] = MappingProxyType(
     }
 )
 
+_RESOLVED: Mapping[str, Column] = MappingProxyType(
+    {
+        "type": Column("i4", rows_of="source", since=1),
+        "move": Column("i4", rows_of="source", since=1),
+        "has_ai": Column("i4", rows_of="source", since=1),
+        "value_start": Column("u4", rows_of="source", cuts="value_key", since=1),
+        "value_key": replace(_TEXT, since=1),
+        "value_text": Column("i4", rows_of="value_key", index_of=STRINGS, or_none=True, since=1),
+        "value_source": Column("i4", rows_of="value_key", since=1),
+        "number_start": Column("u4", rows_of="value_key", cuts="number", since=1),
+        "number": Column("f8", since=1),
+    }
+)
+
 TEMPLATES: Mapping[str, Column] = MappingProxyType(
-    {**_rows("source", {"source": Column("i4"), "name": _TEXT, "parent": _TEXT}), **_PARAMETERS}
+    {**_rows("source", {"source": Column("i4"), "name": _TEXT, "parent": _TEXT}), **_PARAMETERS, **_RESOLVED}
 )
 
 THINGS: Mapping[str, Column] = MappingProxyType(

@@ -7,12 +7,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 from jktools.compiler import sections
+from jktools.compiler.cut import Omission
 from jktools.compiler.errors import PassError
-from jktools.compiler.sections import Columns, NotNeeded, Strings
+from jktools.compiler.sections import Columns, Cut, NotNeeded, Strings
 from jktools.compiler.settings import CompileSettings
 from jktools.facts import LevelFacts
 
-Compute = Callable[[LevelFacts, Strings, CompileSettings], Columns | NotNeeded]
+Compute = Callable[[LevelFacts, Strings, CompileSettings], Columns | Cut | NotNeeded]
 Progress = Callable[[str], None]
 """Told the name of each pass before it runs."""
 
@@ -51,8 +52,9 @@ class Outcome:
 
     columns: Columns | None
     note: str = ""
-    """Why there are none."""
+    """Why there are none, or what was left out."""
     failed: bool = False
+    omissions: tuple[Omission, ...] = ()
 
 
 @contextmanager
@@ -89,8 +91,18 @@ def run(facts: LevelFacts, strings: Strings, settings: CompileSettings, progress
                 raise PassError(message) from error
             outcomes[each.name] = Outcome(None, message, failed=True)
             continue
-        outcomes[each.name] = Outcome(None, found.reason) if isinstance(found, NotNeeded) else Outcome(found)
+        outcomes[each.name] = _outcome(found)
     return outcomes
+
+
+def _outcome(found: Columns | Cut | NotNeeded) -> Outcome:
+    match found:
+        case NotNeeded():
+            return Outcome(None, found.reason)
+        case Cut():
+            return Outcome(found.columns, found.note, omissions=found.omissions)
+        case _:
+            return Outcome(found)
 
 
 def _left_out(each: Pass, settings: CompileSettings, before: Mapping[str, Outcome]) -> str:

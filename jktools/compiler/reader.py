@@ -18,7 +18,7 @@ from jktools.compiler.columns import SECTIONS, Column
 from jktools.compiler.errors import CompiledFileError
 from jktools.compiler.ranges import first_fault
 
-FORMAT_MAJOR, FORMAT_MINOR = 1, 0
+FORMAT_MAJOR, FORMAT_MINOR = 1, 1
 """Version of the format that this code writes; it reads every file of the same major version."""
 
 IDENTIFIER = b"JKLB"
@@ -99,7 +99,8 @@ class CompiledLevel:
 
     def _columns(self, section: str) -> dict[str, npt.NDArray[Any]]:
         table = self._table(section)
-        return {name: _view(table, name, column) for name, column in SECTIONS[section].items()}
+        minor = self._root.FormatMinor()
+        return {name: _view(table, name, column) for name, column in SECTIONS[section].items() if column.since <= minor}
 
     def _text(self, data: bytes) -> str:
         try:
@@ -160,6 +161,20 @@ class CompiledLevel:
             kind: len(self.sections[section].columns[column]) if section in self.sections else 0
             for kind, (section, column) in counted.items()
         }
+
+    @property
+    def omissions(self) -> list[dict[str, Any]]:
+        """What was left out: section, reason, and for each record its position and name."""
+        entries = [self._root.Omissions(i) for i in range(self._root.OmissionsLength())]
+        return [
+            {
+                "section": self._text(e.Section()),
+                "reason": self._text(e.Reason()),
+                "source": [int(e.Source(i)) for i in range(e.SourceLength())],
+                "name": [self._text(e.Name(i)) for i in range(e.NameLength())],
+            }
+            for e in entries
+        ]
 
     @property
     def passes(self) -> dict[str, dict[str, Any]]:

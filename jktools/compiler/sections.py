@@ -10,9 +10,14 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.compiler.columns import RESOURCES
+from jktools.compiler.cut import Omission, choose
 from jktools.compiler.settings import CompileSettings
 from jktools.facts import LevelFacts
+from jktools.model import Level
+from jktools.model.templates import Resolved, Setting
 from jktools.syntax.jkl import Parameters
+from jktools.syntax.template.parameters import MOVES, PARAMETERS, TYPES
+from jktools.syntax.template.values import ValueKind
 
 Columns = Mapping[str, npt.NDArray[Any]]
 Rows = npt.NDArray[np.intp]
@@ -23,6 +28,15 @@ class NotNeeded:
     """Nothing in the scene calls for a section."""
 
     reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """A section that leaves records out."""
+
+    columns: Columns
+    note: str
+    omissions: tuple[Omission, ...]
 
 
 class Strings:
@@ -92,19 +106,58 @@ def geometry(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns
     }
 
 
-def templates(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
-    """Templates as written, without those that the engine drops."""
+def templates(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Cut | NotNeeded:
+    """The templates that the level can reach, as written and as the engine holds them."""
     level = facts.level
-    table = level.document.templates
-    kept = np.array([t.index for t in level.templates if t.dropped is None], np.intp)
+    chosen = choose(facts, cut_anyway=settings.cut_anyway)
+    kept = chosen.kept
     if not len(kept):
-        return NotNeeded("the level lists no template")
-    return {
+        return NotNeeded(chosen.note if len(level.templates) else "the level lists no template")
+    table = level.document.templates
+    columns: Columns = {
         "source": kept,
         "name": strings.indices(table.names[i] for i in kept),
         "parent": strings.indices(table.parents[i] for i in kept),
         **_parameters(table.parameters, kept, strings),
+        **_resolved(level, [level.resolved_templates[i] for i in kept.tolist()], strings),
     }
+    return Cut(columns, chosen.note, chosen.omissions)
+
+
+def _resolved(level: Level, held: Sequence[Resolved], strings: Strings) -> Columns:
+    settings = [[(key, each.values[key]) for key in PARAMETERS if key in each.values] for each in held]
+    flat = [item for each in settings for item in each]
+    numbers = [_numbers(setting.value) for _, setting in flat]
+    owners = [setting.origins[0].owner for _, setting in flat]
+    return {
+        "type": np.array([TYPES.index(each.type) for each in held]),
+        "move": np.array([MOVES.index(each.move) for each in held]),
+        "has_ai": np.array([each.has_ai for each in held]),
+        "value_start": _starts([len(each) for each in settings]),
+        "value_key": strings.indices(key for key, _ in flat),
+        "value_text": np.array([_name(setting, strings) for _, setting in flat]),
+        "value_source": np.array([owner.index if owner.level is level else -1 for owner in owners]),
+        "number_start": _starts([len(each) for each in numbers]),
+        "number": np.array([number for each in numbers for number in each], np.float64),
+    }
+
+
+def _starts(counts: Sequence[int]) -> npt.NDArray[np.int64]:
+    return np.concatenate([[0], np.cumsum(np.array(counts, np.int64))])
+
+
+def _name(setting: Setting, strings: Strings) -> int:
+    """The name as the engine looks it up, or -1."""
+    if setting.use.kind is not ValueKind.WORD or setting.value is None:
+        return -1
+    names = setting.value if isinstance(setting.value, tuple) else (setting.value,)
+    return int(strings.indices([" ".join(map(str, names))])[0])
+
+
+def _numbers(value: object) -> list[float]:
+    if isinstance(value, tuple):
+        return [number for part in value for number in _numbers(part)]
+    return [float(value)] if isinstance(value, (int, float)) else []
 
 
 def things(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:

@@ -17,3 +17,5 @@ class CompileSettings:
     """Passes not to run."""
     keep_going: bool = False
     """When a pass fails, leave out its section and compile the rest."""
+    cut_anyway: bool = False
+    """Leave out templates that nothing is known to reach, though not all COGs are at hand to tell."""

@@ -14,6 +14,7 @@ from jktools import __version__
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import seal
 from jktools.compiler.columns import SECTIONS
+from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
 from jktools.compiler.passes import Outcome, Progress, run
 from jktools.compiler.reader import FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
@@ -92,6 +93,9 @@ def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcome
     offsets["world"] = _world(builder, level)
     offsets["strings"] = _strings(builder, strings.texts)
     offsets["passes"] = _passes(builder, outcomes)
+    omissions = [omission for outcome in outcomes.values() for omission in outcome.omissions]
+    if omissions:
+        offsets["omissions"] = _omissions(builder, omissions)
     offsets["settings"] = _table(
         builder, "Settings",
         game=builder.CreateString(level.game), engine=builder.CreateString(settings.engine),
@@ -145,11 +149,25 @@ def _inputs(builder: flatbuffers.Builder, level: Level) -> int:
     return _offsets(builder, [_table(builder, "Input", path=path, sha256=_vector(builder, digest))])
 
 
+def _omissions(builder: flatbuffers.Builder, omissions: Sequence[Omission]) -> int:
+    return _offsets(
+        builder,
+        [
+            _table(
+                builder, "Omission", section=builder.CreateString(each.section),
+                reason=builder.CreateString(each.reason), source=_vector(builder, np.array(each.source, "<i4")),
+                name=_strings(builder, each.names),
+            )
+            for each in omissions
+        ],
+    )  # fmt: skip
+
+
 def _passes(builder: flatbuffers.Builder, outcomes: Mapping[str, Outcome]) -> int:
     passes = []
     for name, outcome in outcomes.items():
         fields: dict[str, int] = {"name": builder.CreateString(name), "ran": outcome.columns is not None}
-        if outcome.columns is None:
+        if outcome.note:
             fields["note"] = builder.CreateString(outcome.note)
         passes.append(_table(builder, "Pass", **fields))
     return _offsets(builder, passes)

@@ -53,6 +53,7 @@ def compiled(level: CompiledLevel) -> str:
             "sections": sections,
             "counts": level.counts,
             "passes": level.passes,
+            "omissions": level.omissions,
         }
     )
 

@@ -7,6 +7,7 @@ from functools import cached_property
 from jktools import geometry
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.movers import Mover, movers
+from jktools.facts.reachability import Reach, reach
 from jktools.facts.script import ScriptFacts
 from jktools.geometry import (
     Alignment,
@@ -61,6 +62,11 @@ class LevelFacts:
     def collision(self) -> Collision:
         """The sectors as bodies meet them."""
         return Collision(self.level)
+
+    @cached_property
+    def reach(self) -> Reach:
+        """The templates and files that the level can reach in play."""
+        return reach(self.level, lambda name: self.scripts.get(name) or self._script(name))
 
     @cached_property
     def movers(self) -> list[Mover]:

@@ -96,16 +96,19 @@ def load(path: str, base: Sequence[str] = (), game: Game | None = None) -> Level
     return level
 
 
-def build(level: Level, accuracy: Accuracy = "balanced", engine: str = "research") -> bytes:
+def build(
+    level: Level, accuracy: Accuracy = "balanced", engine: str = "research", *, cut_anyway: bool = False
+) -> bytes:
     """Compile a level, as `jktools build` does, and give the bytes of the file.
 
     What a file of this version holds is the same at every accuracy, so that only those that it keeps are taken:
-    `balanced` and `exact`. Raises CompileError for a level that the engine would refuse, ValueError for another
+    `balanced` and `exact`. `cut_anyway` leaves out templates that nothing is known to reach, though COGs are missing
+    that might tell otherwise. Raises CompileError for a level that the engine would refuse, ValueError for another
     accuracy.
     """
     if accuracy not in ACCURACIES:
         raise ValueError(f"accuracy is {accuracy!r}, but can be {' or '.join(ACCURACIES)}")
-    return compile_level(level, CompileSettings(engine, accuracy))
+    return compile_level(level, CompileSettings(engine, accuracy, cut_anyway=cut_anyway))
 
 
 def mesh(level: Level) -> SectorMesh:

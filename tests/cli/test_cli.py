@@ -123,7 +123,7 @@ def test_build_and_inspect(here: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert "skipped, it has no GEORESOURCE" in shown.err
     assert main(["inspect", "out/rooms.jklb", "--json", "--verify"]) == 0
     report = json.loads(capsys.readouterr().out)
-    assert set(report) == {"format", "level", "settings", "sections", "counts", "passes"}
+    assert set(report) == {"format", "level", "settings", "sections", "counts", "passes", "omissions"}
     assert report["counts"]["vertices"] == 12
     assert report["level"]["inputs"][0]["path"] == "jkl/Rooms.jkl"
     assert [p.name for p in (here / "out").iterdir()] == ["rooms.jklb"]

@@ -115,7 +115,7 @@ def test_a_newer_major_version_is_refused() -> None:
     newer = bytearray(COMPILED)
     at = CompiledLevel(COMPILED)._root._tab
     newer[at.Offset(4) + at.Pos] = 2
-    with pytest.raises(CompiledFileError, match=r"format version 2\.0, but this jktools reads 1\.x"):
+    with pytest.raises(CompiledFileError, match=r"format version 2\.1, but this jktools reads 1\.x"):
         CompiledLevel(bytes(newer))
 
 
@@ -145,7 +145,7 @@ def test_a_flipped_byte_is_refused_or_stays_in_bounds(data: st.DataObject) -> No
 
 def test_columns_and_schema_say_the_same() -> None:
     schema = (ROOT / "grammars/level.fbs").read_text()
-    types = {"float": "f4", "int": "i4", "uint": "u4"}
+    types = {"float": "f4", "int": "i4", "uint": "u4", "double": "f8"}
     for section, columns in SECTIONS.items():
         body = re.search(rf"^table {section.capitalize()} {{(.*?)^}}", schema, re.MULTILINE | re.DOTALL)
         assert body
@@ -160,3 +160,13 @@ def test_columns_and_schema_say_the_same() -> None:
             ), name
             assert ("or_none" in attributes) == column.or_none, name
     assert STRINGS == "strings"
+
+
+def test_a_file_of_format_1_0_is_read() -> None:
+    """Written by the code of format 1.0 from tests/data/two_rooms.jkl."""
+    old = CompiledLevel((ROOT / "tests/data/two_rooms_1_0.jklb").read_bytes(), verify=True)
+    assert old.format == "1.0"
+    assert old.templates is not None
+    assert [old.strings[i] for i in old.templates.name] == ["walkplayer", "ghost", "crate"]
+    assert not hasattr(old.templates, "value_key")
+    assert old.omissions == []
