@@ -16,12 +16,17 @@ from jktools.facts.cog.dataflow import Known
 from jktools.facts.cog.lowering import Block, Flow, Op
 from jktools.facts.cog.reach import Reach
 from jktools.model.cog.program import Program
-from jktools.syntax.cog.nodes import Assign, Binary, Expression, Name
+from jktools.syntax.cog.nodes import Assign, Binary, Call, Expression, Name
 
 MOST_FRAMES = 4
 """How deep `call` and messages nest."""
 SHORTEST_SLEEP = 0.1
 """What a sleep of 0 seconds or less lasts."""
+MOST_SEEN = 32
+"""Things that FirstThingInView finds at most (sithCogFunctionAI_FirstThingInView in the decompiled engine)."""
+VIEWS = frozenset({"firstthinginview", "firstthingincone"})
+WALKS = frozenset({"nextthinginview", "nextthingincone"})
+NO_THING = ranges.Range(ranges.INT, -1, -1)
 
 
 class Repeats(NamedTuple):
@@ -45,6 +50,16 @@ class Repeats(NamedTuple):
 NEVER = Repeats(0.0, 0.0)
 ONCE = Repeats(1.0, 0.0)
 UNBOUNDED = Repeats(math.inf, 0.0)
+
+
+class _Loop(NamedTuple):
+    """The passes of a loop's blocks."""
+
+    header: int
+    """The block that it begins with; -1 when it has several."""
+    at_header: Repeats
+    """A loop that begins with its test passes the test once more than the rest."""
+    elsewhere: Repeats
 
 
 def components(blocks: Sequence[Block], inside: frozenset[int], cut: int = -1) -> list[list[int]]:
@@ -135,28 +150,31 @@ class Counter:
             pending = [(part, ONCE) for part in components(self.flow.blocks, inside)]
             while pending:
                 part, outer = pending.pop()
-                header, passes = self._loop(frozenset(part), inside, outer, entry)
+                loop = self._loop(frozenset(part), inside, outer, entry)
                 for index in part:
-                    found[index] = passes
-                if header >= 0:
-                    pending += [(p, passes) for p in components(self.flow.blocks, frozenset(part), cut=header)]
+                    found[index] = loop.at_header if index == loop.header else loop.elsewhere
+                if loop.header >= 0:
+                    inner = components(self.flow.blocks, frozenset(part), cut=loop.header)
+                    pending += [(p, loop.elsewhere) for p in inner]
             self._within[entry] = found
         return self._within[entry]
 
-    def _loop(self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int) -> tuple[int, Repeats]:
-        """The header of a loop, -1 when it has several, and the passes of what is in it."""
+    def _loop(self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int) -> _Loop:
+        """Where a loop begins, and the passes of what is in it."""
         outside = inside - part
         headers = [i for i in sorted(part) if i == entry or outside.intersection(self.flow.blocks[i].predecessors)]
         if len(headers) != 1:
-            return -1, UNBOUNDED
+            return _Loop(-1, UNBOUNDED, UNBOUNDED)
         header = headers[0]
-        turns = self._turns(header, part)
+        turns, tested_first = self._turns(header, part)
         if turns < math.inf:
-            return header, outer.times(turns + 1)
+            most = outer.times(turns + 1)
+            return _Loop(header, most, outer.times(turns) if tested_first else most)
         pace = self._pace(header, part)
         if pace > 0:
-            return header, Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1)
-        return header, UNBOUNDED
+            passes = Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1)
+            return _Loop(header, passes, passes)
+        return _Loop(header, UNBOUNDED, UNBOUNDED)
 
     def _pace(self, header: int, part: frozenset[int]) -> float:
         """The least time that every turn sleeps; 0 when a turn may not sleep at all."""
@@ -188,16 +206,19 @@ class Counter:
                         found.setdefault(each, []).append((index, node))  # type: ignore[arg-type]
         return found
 
-    def _turns(self, header: int, part: frozenset[int]) -> float:
-        """The most turns of a loop whose condition compares a variable that every turn moves by a step."""
+    def _turns(self, header: int, part: frozenset[int]) -> tuple[float, bool]:
+        """The most turns of a loop, and whether the test that bounds them begins each turn.
+
+        Its condition compares a variable that every turn moves by a step, or that walks the things in view.
+        """
         testing = [
             i for i in sorted(part)
             if self.flow.blocks[i].tests and any(s not in part for s in self.flow.blocks[i].successors)
         ]  # fmt: skip
-        best = math.inf
+        best = (math.inf, False)
         for index in testing:
             if self._every_turn(index, header, part):
-                best = min(best, self._turns_by(index, header, part))
+                best = min(best, (self._turns_by(index, header, part), index == header))
         return best
 
     def _turns_by(self, testing: int, header: int, part: frozenset[int]) -> float:
@@ -213,9 +234,11 @@ class Counter:
         ]
         best = math.inf
         for variable, operator, own, limit in sides:
-            if isinstance(variable, Name) and operator in ("<", "<=", ">", ">="):
+            if isinstance(variable, Name) and operator in ranges.INVERSE:
                 going = operator if stays else ranges.INVERSE[operator]
-                best = min(best, self._counted(variable, going, own, limit, header, part))
+                best = min(best, self._walked(variable, going, limit, header, part))
+                if going in ("<", "<=", ">", ">="):
+                    best = min(best, self._counted(variable, going, own, limit, header, part))
         return best
 
     def _counted(
@@ -246,7 +269,25 @@ class Counter:
         if farthest * 2.0**-24 > least / 16:
             return math.inf
         exact = all(float(x).is_integer() for x in (least, start)) and farthest < ranges.EXACT_INT
+        if exact and going in ("<", ">"):
+            return max(0.0, math.ceil((end - start) / least))
         return max(0.0, math.floor((end - start) / (least if exact else least * 15 / 16)) + 1)
+
+    def _walked(self, variable: Name, going: str, limit: ranges.Range, header: int, part: frozenset[int]) -> float:
+        """The most turns of a loop over what FirstThingInView found: the engine keeps 32 things, then says none."""
+        slot = self.program.slot_of.get(variable.name)
+        if slot is None or ranges.truth(ranges.binary(going, NO_THING, limit)) is not False:
+            return math.inf
+        moving = [(index, node) for index, node in self.stores.get(slot.index, []) if index in part]
+        walks = all(self._is_call(node.value, WALKS) for _, node in moving)
+        if not walks or not any(self._every_turn(index, header, part) for index, _ in moving):
+            return math.inf
+        anew = any(op is Op.CALL and arg.name in VIEWS for i in part for op, arg, _ in self.flow.blocks[i].code)
+        return math.inf if anew or self._others_run(part) else MOST_SEEN
+
+    def _is_call(self, value: Expression, names: frozenset[str]) -> bool:
+        verb = self.program.verb_of(value) if isinstance(value, Call) else None
+        return verb is not None and verb.name in names
 
     def _ends(self, stored: ranges.Range, going: str, limit: ranges.Range) -> bool:
         """Whether an assignment in a loop ends it, as `i = 100;` where another language has `break`."""
