@@ -16,9 +16,10 @@ from jktools.cli.status import Status
 from jktools.emit.printable import printable
 
 COMMANDS = {
-    "lint": "find what is wrong with levels",
+    "lint": "find what is wrong with levels and scripts",
     "build": "compile levels to binary files",
     "inspect": "show what a compiled level holds",
+    "cog": "show what COG scripts hold",
     "sight": "explain whether one point of a level sees another",
     "template": "explain where a template's or thing's values come from",
     "pack": "list, extract and create GOB packs",

@@ -26,7 +26,7 @@ def findings(diagnostics: Sequence[Diagnostic], files: int) -> str:
                 "files": files,
                 **{str(s): sum(d.severity is s for d in diagnostics) for s in reversed(Severity)},
             },
-            "diagnostics": [_diagnostic(d) for d in diagnostics],
+            "diagnostics": [diagnostic_object(d) for d in diagnostics],
         }
     )
 
@@ -74,7 +74,8 @@ def dump(value: dict[str, Any]) -> str:
     return msgspec.json.format(msgspec.json.encode(value), indent=2).decode() + "\n"
 
 
-def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
+def diagnostic_object(diagnostic: Diagnostic) -> dict[str, Any]:
+    """A finding as it stands in JSON."""
     place = _place(diagnostic.label)
     last = diagnostic.label.span.last if diagnostic.label.span else None
     subject = diagnostic.subject

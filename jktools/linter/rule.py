@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, NamedTuple, get_args, get_type_hints
 
 import msgspec
@@ -13,6 +14,8 @@ import msgspec
 from jktools.diagnostics import Code, Diagnostic, Label, Severity, Subject
 from jktools.facts import AssetFacts, LevelFacts, ScriptFacts
 from jktools.model import Level
+from jktools.model.cog.program import Vocabulary
+from jktools.model.cog.verbs import Verb
 from jktools.syntax.assets.asset import Asset
 from jktools.syntax.cog import Script
 
@@ -53,11 +56,15 @@ Check = Callable[..., Iterable[Finding | Diagnostic]]
 """`check(document, facts)`, or `check(document, facts, options)` for a rule that has options."""
 
 
-def facts_of(document: Document) -> Facts:
-    """Facts of the kind that rules on such a document take."""
+NO_VERBS: Mapping[str, Verb] = MappingProxyType({})
+
+
+def facts_of(document: Document, own_verbs: Mapping[str, Verb] = NO_VERBS) -> Facts:
+    """Facts of the kind that rules on such a document take; `own_verbs` are those of the user's own build."""
     if isinstance(document, Asset):
         return AssetFacts(document)
-    return ScriptFacts(document) if isinstance(document, Script) else LevelFacts(document)
+    vocabulary = Vocabulary(document.game, own_verbs)
+    return ScriptFacts(document, vocabulary) if isinstance(document, Script) else LevelFacts(document, vocabulary)
 
 
 @dataclass(frozen=True, slots=True)

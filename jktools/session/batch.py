@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 from jktools.compiler import CompileError, CompileSettings, PassError, compilation
 from jktools.diagnostics import Diagnostic, Label
 from jktools.linter import Selection, lint, select
-from jktools.linter.rule import FILE_FAILED
+from jktools.linter.rule import FILE_FAILED, facts_of
 from jktools.model import Level
 from jktools.model.resources import Library
 from jktools.session.ignores import unused_ignores, with_settings
@@ -87,7 +87,7 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
         members += bound
         known.update(map(_identity, bound))
         batch.files += 1
-        found = lint(document, rules, options=settings.options)
+        found = lint(document, rules, facts_of(document, settings.verbs), settings.options)
         batch.diagnostics += with_settings(found, settings, used)
         seen.append(member.path)
     batch.diagnostics += unused_ignores(settings, used, seen, [r.code.id for r in rules])

@@ -14,6 +14,9 @@ JK301 = "error"
 [rules.JK301]
 distance = 0.002
 
+[cog.verbs]
+jacklogvel = { args = ["thing"], returns = "void" }
+
 [[ignore]]
 code = "JK301"
 path = "*/lagoon.jkl"
@@ -35,6 +38,7 @@ import msgspec
 
 from jktools.diagnostics import Severity
 from jktools.linter import Options, UnknownRuleError, find_rule
+from jktools.model.cog.verbs import Kind, Result, Verb, verb_from
 from jktools.session.settings import Game, Ignore, Settings
 from jktools.source import InputError, Source
 from jktools.source.container import describe
@@ -63,6 +67,16 @@ class _Ignore(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     reason: str = ""
 
 
+class _Verb(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    args: tuple[Kind, ...] = ()
+    returns: Result = "void"
+    sleeps: bool = False
+
+
+class _Cog(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    verbs: dict[str, dict[str, Any]] = {}
+
+
 class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     game: Game | None = None
     base: list[str] = []
@@ -70,6 +84,7 @@ class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     severity: dict[str, Literal["error", "warning", "info"]] = {}
     rules: dict[str, dict[str, Any]] = {}
     ignore: list[_Ignore] = []
+    cog: _Cog = _Cog()
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,6 +143,7 @@ def _settings(file: _File, source: Source) -> Settings:
         severity=MappingProxyType({find_rule(c).code.id: Severity[s.upper()] for c, s in file.severity.items()}),
         options=MappingProxyType(dict(_options(code, values) for code, values in file.rules.items())),
         ignores=tuple(_ignores(file, source)),
+        verbs=MappingProxyType(dict(_verb(name, entry) for name, entry in file.cog.verbs.items())),
     )
 
 
@@ -139,6 +155,16 @@ def _options(code: str, values: dict[str, Any]) -> tuple[str, Options]:
         return rule.code.id, msgspec.convert(values, rule.options)
     except msgspec.ValidationError as error:
         raise msgspec.ValidationError(f"{error} of rules.{code}") from error
+
+
+def _verb(name: str, values: dict[str, Any]) -> tuple[str, Verb]:
+    try:
+        entry = msgspec.convert(values, _Verb)
+    except msgspec.ValidationError as error:
+        raise msgspec.ValidationError(f"{error} of cog.verbs.{name}") from error
+    if re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) is None:
+        raise msgspec.ValidationError(f'"{name}" cannot be called by a script: a verb is letters, digits and "_"')
+    return name.lower(), verb_from(name, entry.args, entry.returns, sleeps=entry.sleeps)
 
 
 def _ignores(file: _File, source: Source) -> list[Ignore]:

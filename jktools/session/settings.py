@@ -9,6 +9,7 @@ from typing import Literal, get_args
 
 from jktools.diagnostics import Severity
 from jktools.linter import Options
+from jktools.model.cog.verbs import Verb
 from jktools.source import Span
 
 Game = Literal["jk", "mots"]
@@ -44,6 +45,8 @@ class Settings:
     options: Mapping[str, Options] = field(default_factory=lambda: MappingProxyType({}))
     """Options of rules that differ from their defaults, by code."""
     ignores: tuple[Ignore, ...] = ()
+    verbs: Mapping[str, Verb] = field(default_factory=lambda: MappingProxyType({}))
+    """Verbs of scripts that a custom build of the game registers, by lower-case name."""
     base: tuple[str, ...] = ()
     """Folders and packs with the game's own files, in the order of the search."""
     strict_grammar: bool = False

@@ -11,7 +11,7 @@ from jktools.facts.cog.ranges import Range
 from jktools.model.cog import values
 from jktools.model.cog.program import Program
 from jktools.model.cog.values import Value
-from tests.support.cog_machine import Log, Machine
+from tests.support.cog_machine import OWN_NUMBER, Log, Machine
 
 SECONDS = 60.0
 
@@ -39,7 +39,10 @@ def random_values(program: Program, seed: int) -> dict[int, Value]:
         elif slot.type in ("flex", "float"):
             found[slot.index] = values.flex(pick.choice([0.0, 0.1, 0.5, 1.0, 2.5, 10.0, -1.0, 0.001]))
         else:
-            found[slot.index] = pick.choice([-1, 0, 1, 2, 3, 10, 40])
+            numbers = [-1, 0, 1, 2, 3, 10, 40]
+            if slot.type == "cog":
+                numbers.remove(OWN_NUMBER)
+            found[slot.index] = pick.choice(numbers)
     return found
 
 

@@ -26,6 +26,9 @@ MOST_STEPS = 4000
 MOST_NESTED = 30
 """Handlers inside verbs inside handlers before a run counts as hung."""
 
+OWN_NUMBER = 2
+"""Of the placed script; what the level gives its cog symbols is another."""
+
 IDLE, RUNNING, SLEEPING, WAITING, INTERRUPTED = range(5)
 
 
@@ -405,7 +408,9 @@ class Machine:
         pick = self.random
         if verb.name == "haslos":
             return pick.choice([-1, 0, 1])
-        if verb.name in ("getlocalplayerthing", "jkgetlocalplayer", "getselfcog"):
+        if verb.name == "getselfcog":
+            return OWN_NUMBER
+        if verb.name in ("getlocalplayerthing", "jkgetlocalplayer"):
             return pick.randint(0, 9)
         if verb.name in ("isserver", "ismulti", "bittest"):
             return pick.randint(0, 1)
@@ -470,7 +475,7 @@ class Machine:
 
     def verb_sendmessage(self, cog: Any, number: Value | None) -> None:
         cause = self.handler
-        if self.random.random() < 0.5:
+        if values.to_int(cog) == OWN_NUMBER:
             self.interrupt(lambda: self.message(values.to_int(number), cause))
 
     def verb_sendmessageex(self, cog: Any, number: Value | None, *rest: Any) -> None:

@@ -168,10 +168,10 @@ def _run(
             del stack[max(held - count, 0) :]
             if known is not None:
                 known.arguments[node] = given  # type: ignore[index]
-                if arg.delivers:
-                    for slot in lost:
-                        state.pop(slot, None)
-                    stack = [ANY] * len(stack)  # the handlers in between share this stack, and leave things on it
+            if arg.delivers:
+                for slot in lost:
+                    state.pop(slot, None)
+                stack = [ANY] * len(stack)  # the handlers in between share this stack, and leave things on it
             if arg.returns != "void":
                 if arg.pushes != "once":
                     stack = [ANY] * len(stack)  # all below may lie one place higher or lower

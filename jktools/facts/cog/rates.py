@@ -152,11 +152,14 @@ class Rates:
         return low <= handler.message.id <= high and (site.verb.name == "sendmessageexradius" or self._to_self(site))
 
     def _to_self(self, site: Site) -> bool:
-        """Whether a message can come back to this script: not where the cog is a symbol that the level gives."""
+        """Whether a message can come back to this script.
+
+        A cog symbol that nothing assigns means another script: a level that binds one to itself is not thought of.
+        """
         target = site.call.arguments[0] if site.call.arguments else None
         if isinstance(target, Name):
             slot = self.program.slot_of.get(target.name)
-            return slot is None or slot.type != "cog" or slot.name in self.program.assigned
+            return slot is None or slot.type != "cog" or slot.index in self.counter.stores
         return True
 
     @cached_property

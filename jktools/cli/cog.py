@@ -1,0 +1,53 @@
+"""`jktools cog`."""
+
+from __future__ import annotations
+
+import click
+
+from jktools.cli.app import problem
+from jktools.cli.configured import configured
+from jktools.cli.status import Status
+from jktools.emit import cog as report
+from jktools.facts import ScriptFacts
+from jktools.facts.cog.summary import summarise
+from jktools.model.cog.program import Vocabulary
+from jktools.session import discover, game_of
+from jktools.session.levels import SCRIPT_EXTENSION
+from jktools.session.settings import Game
+from jktools.source import InputError
+from jktools.syntax.cog import read_script
+
+
+@click.command("cog")
+@click.argument("paths", nargs=-1, required=True, metavar="PATH...")
+@click.option("--json", "as_json", is_flag=True, help="The same as JSON; its shape is docs/cog.schema.json.")
+@click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
+@click.option("--config", metavar="FILE", default=None, help="The configuration to use, or none for none.")
+def command(paths: tuple[str, ...], as_json: bool, game: Game | None, config: str | None) -> int:
+    """Show what COG scripts hold: symbols, messages and how often they come, calls, verbs.
+
+    PATH is a script, a folder, a GOB, GOO or zip, or what lies in one: pack.gob!cog/x.cog. What is wrong with a script
+    is `jktools lint`'s to say; here only whether the engine refuses it, and where.
+    """
+    told: list[report.Told] = []
+    problems: list[str] = []
+    for group, found in configured(paths, config):
+        for path in group:
+            try:
+                members = discover(path, problems, (SCRIPT_EXTENSION,))
+            except InputError as error:
+                problems.append(str(error))
+                continue
+            for member in members:
+                try:
+                    script = read_script(member.read(), game_of(member, game or found.settings.game))
+                except InputError as error:
+                    problems.append(str(error))
+                    continue
+                facts = ScriptFacts(script, Vocabulary(script.game, found.settings.verbs))
+                told.append((summarise(facts), script.faults))
+    if told:
+        click.echo(report.as_json(told) if as_json else report.as_text(told), nl=False)
+    for message in problems:
+        problem(message)
+    return Status.USAGE if problems else Status.CLEAN

@@ -1,0 +1,136 @@
+"""What is known of scripts, as JSON and as text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import msgspec
+
+from jktools import __version__
+from jktools.diagnostics import Diagnostic
+from jktools.emit.json import diagnostic_object, dump
+from jktools.emit.printable import printable
+from jktools.facts.cog.summary import (
+    FLAG_NAMES,
+    MessageSummary,
+    RunSummary,
+    ScriptSummary,
+    SourceSummary,
+    SymbolSummary,
+    VerbSummary,
+)
+
+VERSION = 1
+"""Of the shape of this output; grows when a reader would have to change."""
+
+Told = tuple[ScriptSummary, Sequence[Diagnostic]]
+"""A script, and why the engine refuses it."""
+
+
+def as_json(scripts: Sequence[Told]) -> str:
+    """The report as JSON; its shape is docs/cog.schema.json."""
+    return dump(
+        {
+            "version": VERSION,
+            "tool": {"name": "jktools", "version": __version__},
+            "scripts": [
+                {**msgspec.to_builtins(summary), "faults": [diagnostic_object(d) for d in faults]}
+                for summary, faults in scripts
+            ],
+        }
+    )
+
+
+def as_text(scripts: Sequence[Told]) -> str:
+    """The report for people."""
+    return "\n".join(printable(line) for told in scripts for line in _lines(*told)) + "\n"
+
+
+def _lines(script: ScriptSummary, faults: Sequence[Diagnostic]) -> Iterator[str]:
+    flags = ", ".join(name for bit, name in FLAG_NAMES.items() if script.flags & bit)
+    yield f"{script.path}: script for game {script.game}, flags 0x{script.flags:x}{f' ({flags})' * bool(flags)}"
+    if script.rejected:
+        yield "  refused by the engine; this is what could be read:"
+        yield from (f"    line {d.label.span.first.line}: {d.message}" for d in faults if d.label.span is not None)
+    yield f"  symbols ({len(script.symbols)}):"
+    yield from (f"    {_symbol(symbol)}" for symbol in script.symbols)
+    yield f"  messages ({len(script.messages)}):"
+    for message in script.messages:
+        yield f"    {_message(message)}"
+        yield from (f"      {_source(source)}" for source in message.sources)
+    yield f"  labels ({len(script.labels)}): {', '.join(script.labels)}".rstrip(" :")
+    yield f"  calls ({len(script.calls)}):"
+    yield from (f"    {c.source} {'->' if c.how != 'falls' else 'falls into'} {c.target}"
+                f"{f' ({c.how})' * (c.how != 'falls')}" for c in script.calls)  # fmt: skip
+    yield f"  verbs ({len(script.verbs)}):"
+    yield from (f"    {_verb(verb)}" for verb in script.verbs)
+
+
+def _symbol(symbol: SymbolSummary) -> str:
+    words = [f"{symbol.type:<9} {symbol.name}"]
+    if symbol.default is not None:
+        words.append(f"= {symbol.default}")
+    if symbol.local:
+        words.append("(local)")
+    if symbol.link is not None and symbol.mask is not None:
+        words.append(f"(linked, id {symbol.link}, mask 0x{symbol.mask:x})")
+    return " ".join(words)
+
+
+def _message(message: MessageSummary) -> str:
+    label = f" at {message.label}" * (message.label != message.name)
+    if not message.handled:
+        return f"{message.name}{label}: runs nothing"
+    runs = message.runs_per_minute
+    alone = all(source.kind == "once" for source in message.sources)
+    rate = "" if runs is None or alone else f", at most {runs:.6g} times a minute by what the script does"
+    return f"{message.name}{label}: line {message.line}{rate}"
+
+
+_KINDS = {
+    "once": "sent once",
+    "event": "sent by the level or the player",
+    "pulse": "pulse of this script",
+    "timer": "timer of this script",
+    "each timer": "one timer for each call",
+    "thing pulse": "pulse of a thing",
+    "thing timer": "timer of a thing",
+    "message": "sent by this script",
+    "trigger": "trigger sent by this script",
+}
+
+
+def _source(source: SourceSummary) -> str:
+    words = _KINDS[source.kind]
+    low, high = source.least_seconds, source.most_seconds
+    if source.line is None:
+        return words
+    if source.off:
+        words += " switched off"
+    elif low is not None and high is not None:
+        words += f" every {low:.6g} s" if low == high else f" every {low:.6g} to {high:.6g} s"
+    elif low is not None:
+        words += f" every {low:.6g} s or more"
+    elif source.kind not in ("message", "trigger"):
+        words += ", at an interval that is not known"
+    senders = f" from {', '.join(source.senders)}" if source.senders else ""
+    return f"{words}, line {source.line}{senders}"
+
+
+def _verb(verb: VerbSummary) -> str:
+    count = len(verb.lines)
+    words = f"{verb.name}: {count} call{'s' * (count != 1)}, line {', '.join(map(str, verb.lines[:8]))}"
+    words += ", ..." * (count > 8)
+    if not verb.known:
+        words += "; no verb of this game"
+    if verb.sleeps:
+        words += "; sleeps"
+    if verb.sight is not None:
+        often = ", ".join(_often(run) for run in verb.runs)
+        words += f"; sight ({verb.sight}): at most {often}" if often else f"; sight ({verb.sight})"
+    return words
+
+
+def _often(run: RunSummary) -> str:
+    count = "any number of times" if run.per_run is None else f"{run.per_run:.6g}"
+    return f"{count} a run of {run.label}"

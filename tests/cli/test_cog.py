@@ -1,0 +1,201 @@
+"""`jktools cog`, and scripts in `jktools lint`, as a user sees them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+import jktools
+from jktools.cli import main
+from tests.support.levels import ROOT, gob_of, two_rooms
+from tests.support.scripts import corpus_scripts
+
+DOOR = b"""# a door
+flags=0x240
+symbols
+message startup
+message activate
+message pulse
+message timer
+thing door linkid=2 mask=0x404
+flex wait=0.5
+template spark=+spark local
+end
+
+code
+startup:
+    SetPulse(0.25);
+    call opened;
+activate:
+    if (HasLOS(door, door) || HasLOS(door, door))
+        NoSuchVerb(i);
+    return;
+pulse:
+    Sleep(1);
+    return;
+opened:
+    if (wait > 1) goto pulse;
+    return;
+end
+"""
+BROKEN = b"symbols\nend\ncode\nx = 1\ny = 2;\nend\n"
+
+SHOWN = """p.gob!cog/door.cog: script for game jk, flags 0x240 (local, no sync)
+  symbols (3):
+    thing     door (linked, id 2, mask 0x404)
+    flex      wait = 0.5
+    template  spark = +spark (local)
+  messages (4):
+    startup: line 14
+      sent once
+    activate: line 17
+      sent by the level or the player
+    pulse: line 21, at most 241 times a minute by what the script does
+      pulse of this script every 0.25 s, line 15 from startup
+    timer: runs nothing
+  labels (4): startup, activate, pulse, opened
+  calls (3):
+    startup falls into activate
+    startup -> opened (call)
+    opened -> pulse (goto)
+  verbs (4):
+    setpulse: 1 call, line 15
+    haslos: 2 calls, line 18, 18; sight (ray): at most 2 a run of startup, 2 a run of activate
+    nosuchverb: 1 call, line 19; no verb of this game
+    sleep: 1 call, line 22; sleeps
+p.gob!cog/broken.cog: script for game jk, flags 0x0
+  refused by the engine; this is what could be read:
+    line 5: the engine refuses this script: it stops reading at line 5
+    line 4: expected a semicolon behind "1", but found "y"
+  symbols (0):
+  messages (0):
+  labels (0)
+  calls (0):
+  verbs (0):
+"""
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "p.gob").write_bytes(gob_of([("cog\\door.cog", DOOR), ("cog\\broken.cog", BROKEN)]))
+    return tmp_path
+
+
+def test_the_report_for_people(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["cog", "p.gob"]) == 0
+    assert capsys.readouterr().out == SHOWN
+
+
+def test_the_report_as_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["cog", "p.gob!cog/door.cog", "p.gob!cog/broken.cog", "--json"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    jsonschema.validate(report, json.loads((ROOT / "docs/cog.schema.json").read_text()))
+    door, broken = report["scripts"]
+    assert (door["rejected"], door["faults"]) == (False, [])
+    assert door["messages"][2]["sources"][0]["least_seconds"] == 0.25
+    assert [f["code"] for f in broken["faults"]] == ["JK050", "JK052"]
+
+
+@pytest.mark.skipif(not list(corpus_scripts()), reason="the corpus of real mods is not at hand")
+def test_every_real_script_fits_the_schema(corpus: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["cog", corpus.as_posix(), "--json", "--config", "none"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    jsonschema.validate(report, json.loads((ROOT / "docs/cog.schema.json").read_text()))
+    assert len(report["scripts"]) == len(list(corpus_scripts()))
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["cog", "no.cog"], "jktools: error: cannot read no.cog: no such file or folder\n"),
+        (
+            ["cog", "text.txt"],
+            "jktools: error: nothing to read in text.txt: expected a .cog script, ",
+        ),
+        (["cog"], "Missing argument 'PATH...'"),
+    ],
+)
+def test_wrong_arguments(words: list[str], message: str, here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (here / "text.txt").write_bytes(b"hello")
+    assert main(words) == 2
+    shown = capsys.readouterr()
+    assert message in shown.err
+    assert shown.out == ""
+
+
+# ---- lint
+
+LEVEL = two_rooms("World cogs 2", "0: broken.cog", "1: BROKEN.cog").encode()
+
+
+def test_scripts_are_linted_once_each_with_the_levels_that_bind_them(here: Path) -> None:
+    (here / "m.gob").write_bytes(gob_of([("jkl\\a.jkl", LEVEL), ("jkl\\b.jkl", LEVEL), ("cog\\Broken.cog", BROKEN)]))
+    batch = jktools.check(["m.gob"])
+    assert batch.files == 3
+    refused = [d for d in batch if d.code.id == "JK050"]
+    assert [d.path for d in refused] == ["m.gob!cog/Broken.cog"]
+    one = jktools.check(["m.gob!jkl/a.jkl"])
+    assert (one.files, [d.path for d in one if d.code.id == "JK050"]) == (2, ["m.gob!cog/Broken.cog"])
+    found = jktools.lint(jktools.load("m.gob!jkl/a.jkl"))
+    assert [d.path for d in found if d.code.id == "JK050"] == ["m.gob!cog/Broken.cog"]
+
+
+@pytest.mark.parametrize("place", ["mod/cog/broken.cog", "mod/jkl/cog/Broken.COG", "mod/jkl/broken.cog"])
+def test_a_level_on_disk_finds_its_scripts_beside_it(place: str, here: Path) -> None:
+    for path, data in (("mod/jkl/a.jkl", LEVEL), (place, BROKEN)):
+        (here / path).parent.mkdir(parents=True, exist_ok=True)
+        (here / path).write_bytes(data)
+    batch = jktools.check(["mod/jkl/a.jkl"])
+    assert batch.files == 2
+    assert [d.path for d in batch if d.code.id == "JK050"] == [place]
+    assert jktools.check(["mod"]).files == 2
+
+
+def test_a_level_whose_scripts_are_the_games_own_is_linted_alone(here: Path) -> None:
+    (here / "m.gob").write_bytes(gob_of([("jkl\\a.jkl", LEVEL)]))
+    assert jktools.check(["m.gob"]).files == 1
+
+
+def test_a_loose_script_is_linted_and_loaded(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (here / "broken.cog").write_bytes(BROKEN)
+    assert main(["lint", "broken.cog"]) == 1
+    assert (
+        'error[JK052]: expected a semicolon behind "1", but found "y"\n --> broken.cog:4:5' in capsys.readouterr().out
+    )
+    script = jktools.load_script("broken.cog")
+    assert script.rejected
+    assert [d.code.id for d in jktools.lint(script) if d.code.id.startswith("JK05")] == ["JK052", "JK050"]
+    with pytest.raises(jktools.InputError, match=r"p.gob holds 2 scripts: name one of p.gob!cog/door.cog"):
+        jktools.load_script("p.gob")
+
+
+def test_comments_hide_findings_in_header_and_code(here: Path) -> None:
+    hidden = b"""symbols
+# jktools: ignore JK504 -- the level counts them
+thing a
+thing a # jktools: ignore duplicate-symbol -- both
+end
+code
+// jktools: ignore JK523, JK539
+1;
+2; # jktools: ignore JK523
+Print("// jktools: ignore-file JK523");
+3;
+end
+"""
+    (here / "x.cog").write_bytes(hidden)
+    found = jktools.check(["x.cog"], jktools.Settings(select=("JK504", "JK523", "JK020", "JK021")))
+    assert [(d.code.id, d.label.span.first.line) for d in found if d.label.span] == [("JK020", 2), ("JK523", 11)]
+
+
+def test_configured_ignores_meet_scripts(here: Path) -> None:
+    (here / "jktools.toml").write_text('[[ignore]]\ncode = "JK523"\npath = "cog/*"\nreason = "as ever"\n')
+    (here / "x.cog").write_bytes(b"symbols\nend\ncode\n1;\nend\n")
+    assert main(["lint", "x.cog", "--select", "JK523"]) == 1
+    (here / "cog").mkdir()
+    (here / "x.cog").rename(here / "cog/x.cog")
+    assert main(["lint", "cog/x.cog", "--select", "JK523"]) == 0
