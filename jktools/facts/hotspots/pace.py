@@ -15,10 +15,9 @@ from typing import NamedTuple
 from jktools.facts.cog import ranges
 from jktools.facts.cog.rates import PULSE, TIMER, Rates, Site, Source
 from jktools.facts.hotspots.ends import ends
-from jktools.facts.hotspots.runners import Runner, class_name
+from jktools.facts.hotspots.runners import Runner
 
 THING_SENDERS: Mapping[str, int] = {"setthingpulse": PULSE, "setthingtimer": TIMER}
-_NOBODY: frozenset[str] = frozenset()
 
 
 class Beat(NamedTuple):
@@ -169,11 +168,6 @@ def _beats(runner: Runner) -> Iterable[Beat]:
         for end in ends(runner, site, 0):
             things |= {end.number} if end.kind == "thing" else _numbers(runner)
         yield Beat(runner, site, message, max(low, 0.0), frozenset(things), rates.senders_of(site))
-
-
-def carries(runner: Runner, number: int) -> bool:
-    """Whether a thing carries the script as its class COG."""
-    return runner.cog is None and any(t.number == number and class_name(t) == runner.name for t in runner.things)
 
 
 def _set_again(rates: Rates, source: Source, senders: Iterable[str], circle: frozenset[str]) -> bool:

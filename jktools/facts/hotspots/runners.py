@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from jktools.facts.cog.analysis import Analysis
 from jktools.facts.cog.instance import InstanceFacts
@@ -57,8 +57,8 @@ def class_name(thing: Thing) -> str | None:
     return thing.resolved.name_in("cog")
 
 
-def runners(level: Level, instances: tuple[InstanceFacts, ...], script_of: ScriptOf, reach: Reach) -> list[Runner]:
-    """Every script that runs and can be read."""
+def runners(level: Level, instances: Iterable[InstanceFacts], script_of: ScriptOf) -> list[Runner]:
+    """Every script of the level's own that runs and can be read: those of static.jkl and items.dat are left out."""
     placed = [thing for thing in level.things if thing.dropped is None]
     by_number = {thing.number: thing for thing in placed}
     found = [
@@ -66,7 +66,6 @@ def runners(level: Level, instances: tuple[InstanceFacts, ...], script_of: Scrip
         for each in instances
         if each.script is not None and (analysis := each.analysis) is not None
     ]
-    created = _created(level, [runner.script for runner in found], reach)
     carriers: dict[str, list[Thing]] = {}
     for thing in placed:
         name = class_name(thing)
@@ -75,8 +74,7 @@ def runners(level: Level, instances: tuple[InstanceFacts, ...], script_of: Scrip
     for name, things in carriers.items():
         script = script_of(name)
         if script is not None and not script.script.rejected:
-            analysis = Analysis(script.program, {}, script.analysis)
-            found.append(Runner(name, script, analysis, tuple(things), more=name in created))
+            found.append(Runner(name, script, Analysis(script.program, {}, script.analysis), tuple(things)))
     return found
 
 
@@ -91,18 +89,17 @@ def _linked(instance: InstanceFacts, by_number: Mapping[int, Thing]) -> Iterator
             yield by_number[each.value]
 
 
-def _created(level: Level, scripts: list[ScriptFacts], reach: Reach) -> set[str]:
-    """Class COGs of templates that something other than the level's things names, as far as can be read."""
-    names = {word.value.lower() for script in scripts for word in script.script.code.words if isinstance(word, String)}
+def with_created(level: Level, found: Sequence[Runner], reach: Reach) -> list[Runner]:
+    """The same, with `more` set for class COGs of templates that something other than the level's things names."""
+    names = {w.value.lower() for r in found for w in r.script.script.code.words if isinstance(w, String)}
     for cog in level.cogs:
         names.update(value.lower() for value in cog.values)
     for held in level.resolved_templates.entries:
         if reach.has(held):
             names.update(name for _, name, _ in held.templates)
-    found = set()
+    created = set()
     for name in names & reach.templates.keys():
-        held = level.resolved_templates.get(name)
-        carried = held.name_in("cog") if held is not None else None
-        if carried is not None:
-            found.add(carried)
-    return found
+        template = level.resolved_templates.get(name)
+        if template is not None:
+            created.add(template.name_in("cog"))
+    return [replace(runner, more=runner.cog is None and runner.name in created) for runner in found]
