@@ -15,6 +15,7 @@ import pytest
 from jktools.facts import LevelFacts
 from jktools.linter import lint, rules
 from jktools.model import Level
+from jktools.session import Settings
 from jktools.session.levels import discover, read_level
 
 PACK = Path(__file__).resolve().parents[2] / "shared/corpus/gob/masspack.gob"
@@ -26,7 +27,7 @@ def test_rules() -> None:
     if not PACK.exists():
         pytest.skip("the corpus of real mods is not at hand")
     started = time.perf_counter()
-    documents = [read_level(member, None).document for member in discover(str(PACK))]
+    documents = [read_level(member, Settings()).document for member in discover(str(PACK))]
     reading = time.perf_counter() - started
     times: dict[str, list[float]] = {rule.code.id: [] for rule in rules()}
     for _ in range(RUNS):
@@ -35,7 +36,7 @@ def test_rules() -> None:
         for document in documents:
             level = Level(document)
             facts = LevelFacts(level)
-            for rule in rules():
+            for rule in (r for r in rules() if Level in r.looks_at):
                 started = time.perf_counter()
                 lint(level, [rule], facts)
                 times[rule.code.id][-1] += time.perf_counter() - started

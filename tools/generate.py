@@ -10,6 +10,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tools.parameter_page import parameter_page
+from tools.reach_table import reach_table
 from tools.rule_pages import count_corpus, rule_pages
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -60,7 +62,7 @@ def level_code(into: Path) -> list[Path]:
 
 def generate(into: Path) -> list[Path]:
     """Write everything beneath `into` and list it."""
-    return [*native_stubs(into), *level_code(into), *rule_pages(into)]
+    return [*native_stubs(into), *level_code(into), parameter_page(into), *rule_pages(into)]
 
 
 def main() -> None:
@@ -71,6 +73,7 @@ def main() -> None:
     chosen = arguments.parse_args()
     if chosen.count:
         print(count_corpus(chosen.into))
+        print(reach_table(chosen.into))
     for path in generate(chosen.into):
         print(path)
 

@@ -63,6 +63,9 @@ def rule_pages(into: Path) -> list[Path]:
     return [*made, index]
 
 
+_PLACE = {"levels": "level", "scripts": "script"}
+
+
 def _looked_at(rule: Rule, counts: dict[str, Any]) -> tuple[str, int]:
     """What a rule looks at, in words, and how many of them were counted."""
     levels, scripts = int(counts["levels"]), int(counts["scripts"])
@@ -108,12 +111,12 @@ def _page(rule: Rule, counts: dict[str, Any], precision: dict[str, Any]) -> Iter
         for option in options:
             yield f"- `{option.name} = {option.default}`: {option.description}"
     count = counts.get(rule.code.id)
+    kind, files = _looked_at(rule, counts)
     if count:
         yield ""
-        kind, files = _looked_at(rule, counts)
         yield f"## On real {kind}"
         yield f"{count['findings']} findings in {count['files']} of {files} {kind}."
     if precision:
         read, true = precision["read"], precision["true"]
-        verdict = f"Of {read} read in the level, {true} were true. " if read else ""
+        verdict = f"Of {read} read in the {_PLACE.get(kind, 'file')}, {true} were true. " if read else ""
         yield f"{verdict}{precision.get('note', '')}".strip()

@@ -147,6 +147,19 @@ COGS: Mapping[str, Column] = MappingProxyType(
     }
 )
 
+VISIBILITY: Mapping[str, Column] = MappingProxyType(
+    {
+        **_rows(
+            "sector",
+            {
+                "sector": Column("i4", index_of="geometry.sector_flags"),
+                "row_start": Column("u4", cuts="row"),
+            },
+        ),
+        "row": Column("u1"),
+    }
+)
+
 _LISTS = (
     "sounds", "materials", "colormaps", "aiclasses", "models", "sprites", "keyframes", "animclasses", "soundclasses",
     "cogscripts",
@@ -161,6 +174,7 @@ SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
         "templates": TEMPLATES,
         "things": THINGS,
         "cogs": COGS,
+        "visibility": VISIBILITY,
     }
 )
 """The sections of the file in its order, with their columns."""

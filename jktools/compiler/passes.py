@@ -38,6 +38,7 @@ PASSES: Mapping[str, Pass] = {
         Pass("templates", sections.templates),
         Pass("things", sections.things, ("geometry",)),
         Pass("cogs", sections.cogs),
+        Pass("visibility", sections.visibility, ("geometry",)),
     )
 }
 """In the order of the file; a pass comes after those that it needs."""

@@ -9,9 +9,12 @@ from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_sight, runners, with_created
 from jktools.facts.movers import Mover, movers
+from jktools.facts.openings import named_by_cogs
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.script import ScriptFacts
+from jktools.facts.standing import Carriers
 from jktools.geometry import (
+    Accuracy,
     Alignment,
     Convexity,
     Corners,
@@ -22,6 +25,7 @@ from jktools.geometry import (
     Planarity,
     SectorMesh,
     Turns,
+    VisibleSectors,
 )
 from jktools.geometry.collision import Collision
 from jktools.geometry.validity import Int32
@@ -29,6 +33,7 @@ from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
 from jktools.model.resources import Kind
 from jktools.source import InputError
+from jktools.syntax.assets.material import read_material
 from jktools.syntax.cog import read_script
 
 
@@ -40,6 +45,7 @@ class LevelFacts:
         self.level = level
         self.vocabulary = vocabulary or Vocabulary(level.game)
         self._scripts: dict[str, ScriptFacts | None] = {}
+        self._cels: dict[int, int | None] = {}
 
     @cached_property
     def convexity(self) -> Convexity:
@@ -72,6 +78,11 @@ class LevelFacts:
         return reach(self.level, self.script)
 
     @cached_property
+    def carriers(self) -> Carriers:
+        """The things that bodies can stand on."""
+        return Carriers(self.level)
+
+    @cached_property
     def movers(self) -> list[Mover]:
         """The placed things with frames of their own."""
         return movers(self.level)
@@ -80,6 +91,22 @@ class LevelFacts:
     def overlaps(self) -> Overlaps:
         """The pairs of sectors that overlap."""
         return geometry.sector_overlaps(self.mesh)
+
+    @cached_property
+    def openable_surfaces(self) -> Int32:
+        """Surfaces that COGs may make see-through; no script is read, so all that a placed COG's values can name."""
+        return named_by_cogs(self.level)
+
+    @cached_property
+    def visibility(self) -> VisibleSectors:
+        """Which sectors can be seen from which, at `balanced`."""
+        return self.mesh.visible_sectors(open_surfaces=self.openable_surfaces)
+
+    def visible_sectors(self, accuracy: Accuracy) -> VisibleSectors:
+        """Which sectors can be seen from which, at any tier."""
+        if accuracy == "balanced":
+            return self.visibility
+        return self.mesh.visible_sectors(accuracy, open_surfaces=self.openable_surfaces)
 
     @cached_property
     def collide_boxes(self) -> tuple[Int32, Outside]:
@@ -166,3 +193,21 @@ class LevelFacts:
             return []
         scripts = with_created(self.level, self.runners, self.reach)
         return Scene(self.level, scripts, SightWork(self.level, self.mesh, self.changeable_surfaces)).hotspots()
+
+    def cel_count(self, material: int) -> int | None:
+        """How many cels a material of the level's list has; None where its file is not at hand or is broken."""
+        if material not in self._cels:
+            self._cels[material] = self._count_cels(material)
+        return self._cels[material]
+
+    def _count_cels(self, material: int) -> int | None:
+        if not 0 <= material < len(self.level.materials):
+            return None
+        found = self.level.resources.find(Kind.MATERIAL, self.level.materials[material])
+        if found is None:
+            return None
+        try:
+            read = read_material(self.level.resources.read(found))
+        except InputError:
+            return None
+        return len(read.cels) if read.type >= 0 and not read.diagnostics else None

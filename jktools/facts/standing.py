@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from jktools.engine.flags import SectorFlag, SurfaceFlag
 from jktools.engine.ground import Vector
 from jktools.geometry.collision import MOST_SECTORS, SOLID, Collision
@@ -65,12 +67,12 @@ class Below(NamedTuple):
     """Whether bodies that stick to floors take it."""
 
 
-def below(collision: Collision, thing: Thing) -> Below | None:
+def below(collision: Collision, thing: Thing, carriers: Carriers) -> Below | None:
     """What is straight below a body; None where it need not stand, or a thing may carry it.
 
     Sector by sector through adjoins that let things pass, without regard to the distance.
     """
-    if _may_be_carried(collision.level, thing):
+    if carriers.may_carry(thing):
         return None
     sector, point = thing.sector_index, _place(thing)
     for _ in range(MOST_SECTORS):
@@ -87,20 +89,25 @@ def below(collision: Collision, thing: Thing) -> Below | None:
     return None
 
 
-def _may_be_carried(level: Level, body: Thing) -> bool:
-    """Whether a thing that can be stood on may lie below; one whose size only a model would tell always may."""
-    x, y, z = _place(body)
-    for thing in level.things:
-        held = thing.resolved
-        if thing is body or not held.flags("thingflags") & STANDABLE:
-            continue
-        size = held.values.get("size")
-        tx, ty, tz = _place(thing)
-        if size is None or not isinstance(size.value, float):
-            return True
-        if tz - size.value <= z and (tx - x) ** 2 + (ty - y) ** 2 <= size.value**2:
-            return True
-    return False
+class Carriers:
+    """The things of a level that bodies can stand on."""
+
+    def __init__(self, level: Level) -> None:
+        """Find them; one whose size only a model would tell is taken to be everywhere."""
+        held = [thing for thing in level.things if thing.resolved.flags("thingflags") & STANDABLE]
+        self._index = np.array([thing.index for thing in held], np.intp)
+        self._place = level.document.things.position[self._index].astype(np.float64)
+        sizes = [thing.resolved.values.get("size") for thing in held]
+        self._size = np.array(
+            [s.value if s is not None and isinstance(s.value, float) else np.inf for s in sizes], np.float64
+        )
+
+    def may_carry(self, body: Thing) -> bool:
+        """Whether one of them may lie below a body."""
+        point = body.position.astype(np.float64)
+        low = self._place[:, 2] - self._size <= point[2]
+        near = np.hypot(*(self._place[:, :2] - point[:2]).T) <= self._size
+        return bool((low & near & (self._index != body.index)).any())
 
 
 def _place(thing: Thing) -> Vector:

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from jktools.syntax.template.parameters import (
     MOST_DEBRIS,
+    MOST_FRAMES,
     MOVE_SCOPE,
     MOVES,
     PARAMETERS,
@@ -115,7 +116,7 @@ class Parked(NamedTuple):
     values: Mapping[str, Setting]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class Resolved:
     """A template or thing as the engine holds it."""
 
@@ -425,7 +426,7 @@ class _Line:
         count, frames = self.values.get("numframes"), self.values.get("frame")
         room = count.value if count is not None and count.use.scope is use.scope else 0
         held = frames.value if frames is not None and frames.use.scope is use.scope else ()
-        return isinstance(room, int) and isinstance(held, tuple) and len(held) < room
+        return isinstance(room, int) and isinstance(held, tuple) and len(held) < min(room, MOST_FRAMES)
 
     def _add_frame(self, key: str, use: Use, value: Value, text: str, origin: Origin) -> Reason | None:
         before = self.values.get(key)

@@ -19,7 +19,7 @@ def lint(
     """The findings of a level and of the scripts that it binds, or those of a script, sorted.
 
     Rules are those that are on, unless some are chosen. Scripts are looked for where the level lies; those that are not
-    there, such as the game's own, are left out. Raises InputError when the level's pack can no longer be opened.
+    there, such as the game's own, are left out. Raises InputError when one of them cannot be read.
     """
     found = lint_document(document, chosen, options=options)
     if isinstance(document, Level):

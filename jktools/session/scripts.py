@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Callable, Iterator
-from pathlib import Path
+from collections.abc import Iterator
 
 from jktools.model import Level
+from jktools.model.resources import Kind
 from jktools.session.levels import SCRIPT_EXTENSION, discover, game_of, listed
 from jktools.session.settings import Game, Settings
-from jktools.source import Container, InputError, Member, resolve
-from jktools.source.container import PACK_SEPARATOR, file_member
+from jktools.source import InputError, Member
 from jktools.syntax.cog import Script, read_script
-
-SCRIPT_FOLDER = "cog"
-"""Where the engine looks for the scripts that a level names."""
 
 
 def read_member_script(member: Member, settings: Settings) -> Script:
@@ -35,35 +30,11 @@ def load_script(path: str, game: Game | None = None) -> Script:
 
 
 def bound_scripts(level: Level) -> Iterator[Member]:
-    """The files of the scripts that a level binds, each once, as far as they lie where the level does.
+    """The files of the scripts that a level binds and that come with it, each once.
 
-    In a pack that is its folder `cog`; for a level on disk `cog` beside it or beside its folder, or its own folder.
-    Raises InputError when the pack can no longer be opened.
+    Those of a base are the game's own, and not the level's to answer for.
     """
-    names = list(dict.fromkeys(cog.name.lower() for cog in level.cogs))
-    in_pack = level.path.endswith(f"{PACK_SEPARATOR}{level.source.name}")
-    find = _in_pack(level) if in_pack else _on_disk(Path(level.path).parent)
-    for name in names:
-        member = find(name)
-        if member is not None and member.extension == SCRIPT_EXTENSION:
-            yield member
-
-
-def _in_pack(level: Level) -> Callable[[str], Member | None]:
-    pack = resolve(level.path[: -len(level.source.name) - len(PACK_SEPARATOR)])
-    return lambda name: pack.find(f"{SCRIPT_FOLDER}/{name}") if isinstance(pack, Container) else None
-
-
-def _on_disk(folder: Path) -> Callable[[str], Member | None]:
-    above = folder.parent if folder.name else Path("..")
-    files: dict[str, Path] = {}
-    for place in (folder / SCRIPT_FOLDER, above / SCRIPT_FOLDER, folder):
-        with contextlib.suppress(OSError):  # what cannot be listed holds no script that could be read
-            for path in sorted(place.iterdir()):
-                files.setdefault(path.name.lower(), path)
-
-    def find(name: str) -> Member | None:
-        path = files.get(name)
-        return None if path is None else file_member(path, path.as_posix(), path.name)
-
-    return find
+    for name in dict.fromkeys(cog.name.lower() for cog in level.cogs):
+        found = level.resources.find(Kind.COG, name)
+        if found is not None and found.own and found.member.extension == SCRIPT_EXTENSION:
+            yield found.member

@@ -114,7 +114,7 @@ def test_every_real_script_fits_the_schema(corpus: Path, capsys: pytest.CaptureF
         (["cog", "no.cog"], "jktools: error: cannot read no.cog: no such file or folder\n"),
         (
             ["cog", "text.txt"],
-            "jktools: error: nothing to read in text.txt: expected a .cog script, ",
+            "jktools: error: nothing to read in text.txt: expected a .cog script",
         ),
         (["cog"], "Missing argument 'PATH...'"),
     ],
@@ -144,12 +144,15 @@ def test_scripts_are_linted_once_each_with_the_levels_that_bind_them(here: Path)
     assert [d.path for d in found if d.code.id == "JK050"] == ["m.gob!cog/Broken.cog"]
 
 
-@pytest.mark.parametrize("place", ["mod/cog/broken.cog", "mod/jkl/cog/Broken.COG", "mod/jkl/broken.cog"])
-def test_a_level_on_disk_finds_its_scripts_beside_it(place: str, here: Path) -> None:
-    for path, data in (("mod/jkl/a.jkl", LEVEL), (place, BROKEN)):
+@pytest.mark.parametrize(
+    ("level", "place"),
+    [("mod/jkl/a.jkl", "mod/cog/broken.cog"), ("mod/a.jkl", "mod/cog/Broken.COG"), ("mod/a.jkl", "mod/broken.cog")],
+)
+def test_a_level_on_disk_finds_its_scripts_beside_it(level: str, place: str, here: Path) -> None:
+    for path, data in ((level, LEVEL), (place, BROKEN)):
         (here / path).parent.mkdir(parents=True, exist_ok=True)
         (here / path).write_bytes(data)
-    batch = jktools.check(["mod/jkl/a.jkl"])
+    batch = jktools.check([level])
     assert batch.files == 2
     assert [d.path for d in batch if d.code.id == "JK050"] == [place]
     assert jktools.check(["mod"]).files == 2

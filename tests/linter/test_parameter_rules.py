@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from jktools.linter import find_rule, lint
+from jktools.emit import template as template_format
+from jktools.linter import find_rule, lint, rules
+from jktools.model import Level
 from jktools.session import load
+from jktools.source import Source
+from jktools.syntax.jkl import read_library
+from jktools.syntax.template.parameters import PARAMETERS
 from tests.support.levels import TWO_ROOMS
 from tests.support.lint import findings, marked, messages
 
@@ -71,12 +79,12 @@ def test_a_rejected_value_says_what_is_taken(word: str, wanted: str) -> None:
 
 @pytest.mark.parametrize(("word", "read"), [
     ("size=big", "0"), ("size=1.5.2", "1.5"), ("collide=0x1", "0"), ("collide=o", "0"), ("orient=(1/2/3", "1/2/3"),
-    ("thingflags=0x4g", "4"),
+    ("thingflags=0x4g", "4"), ("collide", "0"),
 ])  # fmt: skip
 def test_a_loose_value_says_what_is_read(word: str, read: str) -> None:
-    key, _, value = word.partition("=")
+    key = word.partition("=")[0]
     assert said("JK414", f"lamp none type=cog {word}") == [
-        f"template 3 (lamp) has {key}={value}, but the engine reads {read}"
+        f"template 3 (lamp) has {word}, but the engine reads {key} as {read}"
     ]
 
 
@@ -192,3 +200,19 @@ def test_a_path_is_blocked_by_walls() -> None:
     assert messages("JK423", "World things 3", line) == []
     (message,) = messages("JK423", "World things 3", line, "World adjoins 2", "0: 0x6 1 1", "1: 0x6 0 1")
     assert message == "thing 1 (crate) goes from frame 0 to frame 1, but surface 3 (sector 0, surface 3) stands between"
+
+
+KEYS = [*PARAMETERS, "pup", "=", "type=weapon", "type=explosion", "move=path", "numframes=3", "none", "a", "#"]
+VALUES = ["", "=", "=(1/2/3)", "=(1/2/3:4/5/6)", "=-1", "=1e999", "=x", "=none"]
+WORDS = st.tuples(st.sampled_from(KEYS), st.sampled_from(VALUES)).map("".join)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(st.lists(WORDS, max_size=6).map(" ".join), max_size=6))
+def test_no_library_makes_a_rule_fail(lines: list[str]) -> None:
+    level = Level(read_library(Source("x.tpl", "\n".join(lines).encode())))
+    chosen = [rule for rule in rules() if Level in rule.looks_at]
+    assert not [d for d in lint(level, chosen) if d.code.id.startswith("JK9")]
+    for template in level.templates:
+        assert list(template_format.text(template.resolved))
+        json.loads(template_format.json(template.resolved))

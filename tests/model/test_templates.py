@@ -12,7 +12,7 @@ from jktools.model import Level
 from jktools.model.templates import Reason, Resolved
 from jktools.source import Source
 from jktools.syntax.jkl import read_library
-from jktools.syntax.template.parameters import PARAMETERS, TYPES
+from jktools.syntax.template.parameters import MOST_FRAMES, PARAMETERS, TYPES
 from tests.support.levels import CORPUS, corpus_files, level_of, two_rooms
 from tests.support.template_oracle import FAMILY, GENERAL, MOTS, OTHERS, Engine
 
@@ -234,3 +234,14 @@ def test_what_a_path_rejects_a_patrol_may_take() -> None:
     assert [i.reason for i in mixed.ignored] == [Reason.FULL]
     assert patrol.values["frame"].value == ((1, 2, 3),)
     assert [(i.text, i.reason) for i in patrol.ignored] == [("(4/5/6)", Reason.FULL)]
+
+
+def test_frames_handed_down_forever_do_not_grow_without_bound() -> None:
+    frames = " ".join(["frame=(0/0/0:0/0/0)"] * 20)
+    first = "t0 none type=cog move=path numframes=2000000000"
+    entries = resolve(first, *(f"t{i} t{i - 1} {frames}" for i in range(1, 200)))
+    frames_held = entries[-1].values["frame"].value
+    assert isinstance(frames_held, tuple)
+    assert len(frames_held) == MOST_FRAMES
+    assert len(list(entries[-1].chain)) == 200
+    assert entries[-1].ignored[-1].reason is Reason.FULL

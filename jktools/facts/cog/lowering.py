@@ -92,6 +92,8 @@ class Block:
     """Whether there are two ways out: `successors[0]` when the condition holds, `successors[1]` when not."""
     callee: int = -1
     """The block that a `call` at its end runs before it goes on."""
+    goes: bool = False
+    """Whether it ends with a `goto` of a label."""
     returns: bool = False
     """Whether the handler may end here."""
     successors: list[int] = field(default_factory=list)
@@ -301,6 +303,7 @@ def _blocks(lines: Iterable[_Line], program: Program) -> Flow:
                 before.tests = line.kind != "call"
             else:
                 at.returns = line.kind == "return"
+                at.goes = isinstance(line.target, Labeled)
                 at = None
         else:
             if at is None:

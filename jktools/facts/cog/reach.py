@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from jktools.facts.cog.lowering import Block, Flow
+from jktools.facts.cog.lowering import Flow
 from jktools.model.cog.program import Program
 from jktools.syntax.cog.nodes import Block as Braces
 from jktools.syntax.cog.nodes import Empty, Labeled, Statement
@@ -96,7 +96,7 @@ class Reach:
             source = self.label_of.get(block.index)
             if source is None:
                 continue
-            ways = [(s, "falls" if s == block.index + 1 else "goto") for s in block.successors]
+            ways = [(s, "goto" if block.goes else "falls") for s in block.successors]
             if block.callee >= 0:
                 ways.append((block.callee, "call"))
             for successor, how in ways:
@@ -109,16 +109,14 @@ class Reach:
         """Labels that code above falls into, with the label that this code stands under."""
         found = []
         for block in self.flow.blocks:
-            above = block.index - 1
-            if not block.labels or above < 0 or not self._falls(self.flow.blocks[above], block.index):
-                continue
-            source = self.label_of.get(above)
-            if source is not None:
-                found.append((block.labels[0], source))
+            above = [
+                self.label_of[i]
+                for i in block.predecessors
+                if i < block.index and i in self._led and i in self.label_of and not self.flow.blocks[i].goes
+            ]
+            if block.labels and above:
+                found.append((block.labels[0], above[-1]))
         return tuple(found)
-
-    def _falls(self, above: Block, below: int) -> bool:
-        return below in above.successors and above.index in self._led
 
     @cached_property
     def _led(self) -> frozenset[int]:

@@ -211,7 +211,10 @@ class Context:
         elif read is None:
             self.fault(
                 faults.MALFORMED_RECORD, place, f"{name(record, subject)}: expected {wanted}, {what}",
-                "mend the line; the engine refuses a level with such a record", subject,
+                "mend the line; the engine takes the parent from what the line before left there"
+                if record is records.TEMPLATE
+                else "mend the line; the engine refuses a level with such a record",
+                subject,
             )  # fmt: skip
         else:
             taken = f"; the engine reads {read[ordinal]}" if 0 <= ordinal < len(read) else ""

@@ -105,6 +105,9 @@ MOVES = ("none", "physics", "path")
 MOST_DEBRIS = 4
 """Places for debris of one explosion (sithExplosion_ParseArg)."""
 
+MOST_FRAMES = 1024
+"""Frames of one thing that are kept. The engine has no such limit; the longest known line of the game has some 90."""
+
 EMITS_LIGHT = 0x1
 COG_LINKED = 0x400
 BLAST = 0x2

@@ -7,5 +7,6 @@ namespace jk {
 
 void open_sight(nanobind::module_& m);
 void open_soundness(nanobind::module_& m);
+void open_visibility(nanobind::module_& m);
 
 }  // namespace jk

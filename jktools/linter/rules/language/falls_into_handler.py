@@ -16,7 +16,8 @@ def falls_into_handler(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
 
     ## Why it matters
     A label does not end what stands above it. Without `return` a handler goes on with the next handler's code, as if
-    that message had come too. Labels directly on top of each other are not reported: they share one handler.
+    that message had come too. Labels directly on top of each other are not reported: they share one handler. Nor is a
+    handler of `user0` to `user7`, which only scripts send: code that runs on into it mostly wants what stands there.
 
     ## Bad
         symbols
@@ -47,7 +48,8 @@ def falls_into_handler(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
     """
     for label, source in facts.reach.falls:
         name = label.label.name
-        if name in facts.program.handler_of and name != source:
+        handler = facts.program.handler_of.get(name)
+        if handler is not None and name != source and not handler.message.name.startswith("user"):
             yield Finding(
                 facts.label(label.label),
                 f'the code below "{source}" runs on into "{name}", which is a handler of its own',

@@ -10,7 +10,7 @@ from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK120", "template-shadowed", severity=Severity.WARNING, since="0.2.0")
+@rule("JK120", "template-shadowed", severity=Severity.WARNING, since="0.1.0")
 def template_shadowed(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a template that the game's static.jkl defines otherwise; only where a base holds one.
 

@@ -20,7 +20,7 @@ class Tolerances(Options, frozen=True):
     depth: Annotated[float, msgspec.Meta(ge=0, description="JKU that a body may reach into a wall")] = 0.02
 
 
-@rule("JK419", "body-in-wall", severity=Severity.WARNING, since="0.2.0", options=Tolerances)
+@rule("JK419", "body-in-wall", severity=Severity.WARNING, since="0.1.0", options=Tolerances)
 def body_in_wall(level: Level, facts: LevelFacts, options: Tolerances) -> Iterator[Finding]:
     """Report a placed actor or player whose movement sphere reaches more than 0.02 JKU through a solid surface.
 

@@ -20,7 +20,7 @@ class Tolerances(Options, frozen=True):
     distance: Annotated[float, msgspec.Meta(ge=0, description="JKU between the place and frame 0")] = 0.001
 
 
-@rule("JK422", "first-frame-off-place", severity=Severity.WARNING, since="0.2.0", options=Tolerances)
+@rule("JK422", "first-frame-off-place", severity=Severity.WARNING, since="0.1.0", options=Tolerances)
 def first_frame_off_place(level: Level, facts: LevelFacts, options: Tolerances) -> Iterator[Finding]:
     """Report a placed thing whose frame 0 lies more than 0.001 JKU from its position.
 

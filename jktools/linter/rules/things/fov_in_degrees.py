@@ -10,7 +10,7 @@ from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK416", "fov-in-degrees", severity=Severity.WARNING, since="0.2.0")
+@rule("JK416", "fov-in-degrees", severity=Severity.WARNING, since="0.1.0")
 def fov_in_degrees(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report an actor or player whose own `fov` is above 1 or below -1.
 

@@ -12,7 +12,7 @@ from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK421", "frame-outside-sectors", severity=Severity.WARNING, since="0.2.0")
+@rule("JK421", "frame-outside-sectors", severity=Severity.WARNING, since="0.1.0")
 def frame_outside_sectors(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a frame of a placed thing's path whose position lies in no sector.
 

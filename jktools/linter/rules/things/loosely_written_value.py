@@ -8,11 +8,11 @@ from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
-from jktools.model.templates import Resolved, Setting
+from jktools.model.templates import Origin, Resolved, Setting
 from jktools.syntax.template.values import ValueKind, scan, well_formed
 
 
-@rule("JK414", "loosely-written-value", severity=Severity.WARNING, since="0.2.0")
+@rule("JK414", "loosely-written-value", severity=Severity.WARNING, since="0.1.0")
 def loosely_written_value(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a number, flags or vector of a parameter with text that the engine does not read.
 
@@ -33,26 +33,25 @@ def loosely_written_value(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         ball crate size=.5 collide=1
     """
     for held in (*level.resolved_templates.entries, *level.resolved_things):
-        for key, setting, text in _own(held):
+        for key, setting, text, origin in _own(held):
             if setting.use.kind is ValueKind.WORD or well_formed(setting.use.kind, text):
                 continue
             read = scan(setting.use.kind, text)
-            origin = next(o for o in setting.origins if o.place >= 0 and o.span.text.partition("=")[2] == text)
             yield Finding(
                 Label(origin.span),
-                f"{held.owner.title} has {key}={text}, but the engine reads {_shown(read)}",
+                f"{held.owner.title} has {origin.span.text}, but the engine reads {key} as {_shown(read)}",
                 f"write {setting.use.kind.form}",
                 held.owner.subject,
             )
 
 
-def _own(held: Resolved) -> Iterator[tuple[str, Setting, str]]:
+def _own(held: Resolved) -> Iterator[tuple[str, Setting, str, Origin]]:
     """What the own line sets, with each text as written."""
     words = held.owner.parameters
     for key, setting in held.values.items():
         for origin in setting.origins:
             if origin.owner is held.owner and origin.place >= 0 and words[origin.place][0].lower() == key:
-                yield key, setting, words[origin.place][1]
+                yield key, setting, words[origin.place][1], origin
 
 
 def _shown(value: object) -> str:

@@ -12,7 +12,7 @@ from jktools.model.templates import Reason
 from jktools.syntax.template.values import ValueKind, scan
 
 
-@rule("JK418", "movesize-passed-over", severity=Severity.WARNING, since="0.2.0")
+@rule("JK418", "movesize-passed-over", severity=Severity.WARNING, since="0.1.0")
 def movesize_passed_over(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report an actor or player whose line has a `movesize` other than the one that it moves with.
 

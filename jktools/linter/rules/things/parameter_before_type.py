@@ -12,7 +12,7 @@ from jktools.model.templates import Ignored, Reason
 from jktools.syntax.template.parameters import MOVE_SCOPE, PARAMETERS, TYPE_SCOPE
 
 
-@rule("JK413", "parameter-before-type", severity=Severity.WARNING, since="0.2.0")
+@rule("JK413", "parameter-before-type", severity=Severity.WARNING, since="0.1.0")
 def parameter_before_type(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a parameter that only the `type` or `move` behind it on the line would let take effect.
 

@@ -12,7 +12,7 @@ from jktools.model.templates import Reason
 from jktools.model.wanted import wanted_value
 
 
-@rule("JK412", "parameter-value-rejected", severity=Severity.WARNING, since="0.2.0")
+@rule("JK412", "parameter-value-rejected", severity=Severity.WARNING, since="0.1.0")
 def parameter_value_rejected(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a value of a parameter that the engine does not take.
 

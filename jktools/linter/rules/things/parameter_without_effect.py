@@ -13,7 +13,7 @@ from jktools.model.templates import Ignored, Reason
 from jktools.syntax.template.parameters import PARAMETERS
 
 
-@rule("JK411", "parameter-without-effect", severity=Severity.WARNING, since="0.2.0")
+@rule("JK411", "parameter-without-effect", severity=Severity.WARNING, since="0.1.0")
 def parameter_without_effect(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a parameter that the engine passes over for things of that type or way to move.
 

@@ -12,7 +12,7 @@ from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK423", "path-through-wall", severity=Severity.INFO, since="0.2.0", on=False)
+@rule("JK423", "path-through-wall", severity=Severity.INFO, since="0.1.0", on=False)
 def path_through_wall(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a way from one frame of a placed thing's path to the next that a wall blocks.
 

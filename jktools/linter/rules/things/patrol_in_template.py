@@ -11,7 +11,7 @@ from jktools.model import Level
 from jktools.model.templates import Reason
 
 
-@rule("JK425", "patrol-in-template", severity=Severity.ERROR, since="0.2.0")
+@rule("JK425", "patrol-in-template", severity=Severity.ERROR, since="0.1.0")
 def patrol_in_template(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a template of an actor that does not move on a path, with `frame` or `numframes`.
 

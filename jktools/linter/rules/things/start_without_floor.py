@@ -12,7 +12,7 @@ from jktools.linter.rules.things.no_player_start import PLAYER
 from jktools.model import Level
 
 
-@rule("JK420", "start-without-floor", severity=Severity.WARNING, since="0.2.0")
+@rule("JK420", "start-without-floor", severity=Severity.WARNING, since="0.1.0")
 def start_without_floor(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a player start straight below which there is no surface that players stand on.
 
@@ -29,7 +29,7 @@ def start_without_floor(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         0: 0 0x5 0x4 4 3 1 -1 0 4 0,0 1,1 2,2 3,3 1 1 1 1
     """
     for thing in bodies(level):
-        found = below(facts.collision, thing) if thing.resolved.type == PLAYER else None
+        found = below(facts.collision, thing, facts.carriers) if thing.resolved.type == PLAYER else None
         if found is None or found.is_floor:
             continue
         surface = None if found.surface is None else level.surfaces[found.surface]

@@ -13,7 +13,7 @@ NOT_IN_ANY_DIFFICULTY = 0x7000
 NOT_IN_ANY_MODE = 0x18000
 
 
-@rule("JK417", "thing-excluded-everywhere", severity=Severity.WARNING, since="0.2.0")
+@rule("JK417", "thing-excluded-everywhere", severity=Severity.WARNING, since="0.1.0")
 def thing_excluded_everywhere(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a thing whose flags exclude it from every difficulty, or from single- and multiplayer both.
 

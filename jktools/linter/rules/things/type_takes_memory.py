@@ -10,7 +10,7 @@ from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK424", "type-takes-memory", severity=Severity.INFO, since="0.2.0", on=False)
+@rule("JK424", "type-takes-memory", severity=Severity.INFO, since="0.1.0", on=False)
 def type_takes_memory(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a template or thing that changes its parent's `type` or `move`, where the parent set values for those.
 

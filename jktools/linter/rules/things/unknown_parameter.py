@@ -12,11 +12,16 @@ from jktools.model import Level
 from jktools.model.templates import Ignored, Reason
 from jktools.syntax.template.parameters import PARAMETERS
 
+WITHOUT_CURE = "remove it; docs/parameters.md lists those that there are"
+
+MOST_CURES = 200
+"""Different words for which the nearest key is sought; a file with more is no level."""
+
 LEAST_START = 3
 """Letters of the only parameter that begins like a short word, as `pup` of `puppet`."""
 
 
-@rule("JK410", "unknown-parameter", severity=Severity.WARNING, since="0.2.0")
+@rule("JK410", "unknown-parameter", severity=Severity.WARNING, since="0.1.0")
 def unknown_parameter(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a parameter of a template or thing whose key the engine does not know.
 
@@ -36,15 +41,20 @@ def unknown_parameter(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World templates 4
         guard none type=actor puppet=st.pup thingflags=0x400
     """
+    cures: dict[tuple[str, str], str] = {}
     for held in (*level.resolved_templates.entries, *level.resolved_things):
         for ignored in held.ignored:
-            if ignored.reason is Reason.UNKNOWN:
-                yield Finding(
-                    Label(ignored.origin.span),
-                    f"{held.owner.title} has {ignored.origin.span.text}, but the engine knows no such parameter",
-                    _cure(ignored),
-                    held.owner.subject,
-                )
+            if ignored.reason is not Reason.UNKNOWN:
+                continue
+            word = (ignored.key, ignored.text)
+            if len(cures) < MOST_CURES:
+                cures.setdefault(word, _cure(ignored))
+            yield Finding(
+                Label(ignored.origin.span),
+                f"{held.owner.title} has {ignored.origin.span.text}, but the engine knows no such parameter",
+                cures.get(word, WITHOUT_CURE),
+                held.owner.subject,
+            )
 
 
 def _cure(ignored: Ignored) -> str:
@@ -55,4 +65,4 @@ def _cure(ignored: Ignored) -> str:
     begun = [known for known in PARAMETERS if len(key) >= LEAST_START and known.startswith(key)]
     if len(begun) == 1:
         return f'did you mean "{begun[0]}"?'
-    return did_you_mean(key, PARAMETERS) or "remove it; docs/parameters.md lists those that there are"
+    return did_you_mean(key, PARAMETERS) or WITHOUT_CURE
