@@ -139,8 +139,8 @@ def test_a_flood_goes_on_while_the_adjoins_are_near(distance: str, sectors: int,
 
 
 def looking(*body: str, symbols: Sequence[str] = ("thing a", "thing b")) -> list[str]:
-    return ["symbols", "message startup", "message pulse", "message timer", "message activated", *symbols, "end", "code",
-            *body, "end"]  # fmt: skip
+    messages = [f"message {name}" for name in ("startup", "pulse", "timer", "activated")]
+    return ["symbols", *messages, *symbols, "end", "code", *body, "end"]
 
 
 LOOK = 'if (HasLOS(a, b) == 1) Print("seen");'

@@ -29,6 +29,7 @@ _T = TypeVar("_T")
 MOST_PAIRS = 4096
 """Pairs of places that are tried for one call; of more, evenly spread ones."""
 SIGHT_COSTS = frozenset({"ray", "flood"})
+TIMED = frozenset({"pulse", "timer", "thing pulse", "thing timer"})
 BODIES = ("actor", "player")
 FIXED_TYPES = ("cog", "ghost", "item", "corpse", "camera")
 MOVING_VERBS = frozenset(
@@ -159,13 +160,8 @@ class Scene:
         """The shortest interval asked for among what brings these handlers their messages."""
         found = [math.inf]
         for label in labels:
-            for source in runner.analysis.rates.sources[label]:
-                if (
-                    source.kind in ("pulse", "timer", "thing pulse", "thing timer")
-                    and not source.off
-                    and source.seconds
-                ):
-                    found.append(source.least)
+            sources = runner.analysis.rates.sources[label]
+            found += [source.least for source in sources if source.kind in TIMED and not source.off]
             handler = runner.analysis.program.handler_of[label]
             found += [seconds for seconds, _ in self.paces.beats_for(runner, handler.message.id).values()]
         return min(found)
