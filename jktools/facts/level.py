@@ -11,6 +11,7 @@ from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_s
 from jktools.facts.movers import Mover, movers
 from jktools.facts.openings import named_by_cogs
 from jktools.facts.reachability import Reach, reach
+from jktools.facts.references import FileReference, file_references
 from jktools.facts.script import ScriptFacts
 from jktools.facts.standing import Carriers
 from jktools.geometry import (
@@ -46,6 +47,11 @@ class LevelFacts:
         self.vocabulary = vocabulary or Vocabulary(level.game)
         self._scripts: dict[str, ScriptFacts | None] = {}
         self._cels: dict[int, int | None] = {}
+
+    @cached_property
+    def file_references(self) -> tuple[FileReference, ...]:
+        """The files that the level names."""
+        return tuple(file_references(self.level))
 
     @cached_property
     def convexity(self) -> Convexity:

@@ -152,10 +152,10 @@ class SectorMesh:
         """Ask whether targets, (n, 3) JKU, are seen from origins, (n, 3) JKU, in their sectors, (n,).
 
         Walls only: things do not block, and every surface without a see-through adjoin does (research document).
-        `balanced` and `exact` are exact in float64, `fast` is not: plain doubles, without a check. Exactness costs nothing
-        here (benchmarks/bench_sight.py): `balanced` looks at segments eight at a time in float32 and is the fastest
-        of the three in a batch. threads 0 means one a core; the answers are the same for any number. Raises ValueError naming the row whose sector does not exist or whose coordinate is
-        not finite or 2^150 JKU or more.
+        `balanced` and `exact` are exact in float64, `fast` is not: plain doubles, without a check. Exactness costs
+        nothing here (benchmarks/bench_sight.py): `balanced` looks at segments eight at a time in float32 and is the
+        fastest of the three in a batch. threads 0 means one a core; the answers are the same for any number. Raises
+        ValueError naming the row whose sector does not exist or whose coordinate is not finite or 2^150 JKU or more.
         """
         first = _integers(sectors)
         visible, crossed, blocker = self._viewer.sight(_points(origins), first, _points(targets), accuracy, threads)

@@ -20,6 +20,10 @@ from jktools.syntax.cog.nodes import Assign, Binary, Call, Expression, Name
 
 MOST_FRAMES = 4
 """How deep `call` and messages nest."""
+MOST_TESTS = 8
+"""Ways out of a loop that are looked at for one that counts."""
+MOST_EFFORT = 50_000
+"""Blocks counted before nothing more is held for bounded; only scripts made to take long come near."""
 SHORTEST_SLEEP = 0.1
 """What a sleep of 0 seconds or less lasts."""
 MOST_SEEN = 32
@@ -47,19 +51,18 @@ class Repeats(NamedTuple):
         return Repeats(self.per_run * count, self.per_second * count, self.per_interruption * count)
 
 
+class _Loop(NamedTuple):
+    header: int
+    """-1 for a loop that is entered in several places."""
+    tests: Repeats
+    """Passes of the header."""
+    body: Repeats
+    """Passes of each other block, as far as no inner loop holds it."""
+
+
 NEVER = Repeats(0.0, 0.0)
 ONCE = Repeats(1.0, 0.0)
 UNBOUNDED = Repeats(math.inf, 0.0)
-
-
-class _Loop(NamedTuple):
-    """The passes of a loop's blocks."""
-
-    header: int
-    """The block that it begins with; -1 when it has several."""
-    at_header: Repeats
-    """A loop that begins with its test passes the test once more than the rest."""
-    elsewhere: Repeats
 
 
 def components(blocks: Sequence[Block], inside: frozenset[int], cut: int = -1) -> list[list[int]]:
@@ -122,15 +125,21 @@ class Counter:
         self.reach = reach
         self.known = known
         self._within: dict[int, Mapping[int, Repeats]] = {}
-        self.stores = self._stores()
+        self._effort = 0
+        self.stores = self._stores(Op.STORE)
+        self.arrays = [each for stores in self._stores(Op.STORE_AT).values() for each in stores]
 
     def of_handler(self, start: int) -> Mapping[int, Repeats]:
         """Passes of each block in one run of the handler that starts here, through calls too."""
         total: dict[int, Repeats] = {}
         level = {start: ONCE}
+        if self._effort > MOST_EFFORT:
+            return dict.fromkeys(self.reach.blocks_from([start]), UNBOUNDED)
         for _ in range(1 + MOST_FRAMES):
             below: dict[int, Repeats] = {}
             for entry, count in level.items():
+                if self._effort > MOST_EFFORT:
+                    return dict.fromkeys(self.reach.blocks_from([start]), UNBOUNDED)
                 for index, inner in self.within(entry).items():
                     passes = _nested(count, inner)
                     total[index] = _sum(total.get(index, NEVER), passes)
@@ -147,34 +156,32 @@ class Counter:
         if entry not in self._within:
             inside = frozenset(i for i in self.reach.blocks_from([entry], into_calls=False) if i in self.known.visited)
             found = dict.fromkeys(sorted(inside), ONCE)
+            self._effort += len(found)
             pending = [(part, ONCE) for part in components(self.flow.blocks, inside)]
             while pending:
                 part, outer = pending.pop()
                 loop = self._loop(frozenset(part), inside, outer, entry)
                 for index in part:
-                    found[index] = loop.at_header if index == loop.header else loop.elsewhere
+                    found[index] = loop.tests if index == loop.header else loop.body
                 if loop.header >= 0:
-                    inner = components(self.flow.blocks, frozenset(part), cut=loop.header)
-                    pending += [(p, loop.elsewhere) for p in inner]
+                    pending += [(p, loop.body) for p in components(self.flow.blocks, frozenset(part), cut=loop.header)]
             self._within[entry] = found
         return self._within[entry]
 
     def _loop(self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int) -> _Loop:
-        """Where a loop begins, and the passes of what is in it."""
+        """How often a loop's header and the rest of it are passed."""
         outside = inside - part
         headers = [i for i in sorted(part) if i == entry or outside.intersection(self.flow.blocks[i].predecessors)]
         if len(headers) != 1:
             return _Loop(-1, UNBOUNDED, UNBOUNDED)
         header = headers[0]
-        turns, tested_first = self._turns(header, part)
+        turns, testing = self._turns(header, part)
         if turns < math.inf:
-            most = outer.times(turns + 1)
-            return _Loop(header, most, outer.times(turns) if tested_first else most)
+            again = outer.times(turns + 1)
+            return _Loop(header, again, outer.times(turns) if testing == header else again)
         pace = self._pace(header, part)
-        if pace > 0:
-            passes = Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1)
-            return _Loop(header, passes, passes)
-        return _Loop(header, UNBOUNDED, UNBOUNDED)
+        passes = Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1) if pace else UNBOUNDED
+        return _Loop(header, passes, passes)
 
     def _pace(self, header: int, part: frozenset[int]) -> float:
         """The least time that every turn sleeps; 0 when a turn may not sleep at all."""
@@ -194,32 +201,33 @@ class Counter:
 
     # ---- loops that count
 
-    def _stores(self) -> Mapping[int, list[tuple[int, Assign]]]:
-        """By slot: the block and node of each assignment that can run; an array's counts for every slot."""
+    def _stores(self, operation: Op) -> Mapping[int, list[tuple[int, Assign]]]:
+        """By slot: the block and node of each assignment that can run; an array's by the slot that it counts from."""
         found: dict[int, list[tuple[int, Assign]]] = {}
         for index in sorted(self.known.visited):
             for op, slot, node in self.flow.blocks[index].code:
-                if op is Op.STORE:
+                if op is operation:
                     found.setdefault(slot, []).append((index, node))  # type: ignore[arg-type]
-                elif op is Op.STORE_AT:
-                    for each in range(len(self.program.slots)):
-                        found.setdefault(each, []).append((index, node))  # type: ignore[arg-type]
         return found
 
-    def _turns(self, header: int, part: frozenset[int]) -> tuple[float, bool]:
-        """The most turns of a loop, and whether the test that bounds them begins each turn.
+    def is_stored(self, slot: int) -> bool:
+        """Whether something can assign a symbol."""
+        return slot in self.stores or bool(self.arrays)
 
-        Its condition compares a variable that every turn moves by a step, or that walks the things in view.
+    def _turns(self, header: int, part: frozenset[int]) -> tuple[float, int]:
+        """The most turns of a loop whose condition compares a variable that every turn moves by a step, or that walks
+        through the things in view.
+
+        With the block that tests it: where that is the header, nothing else is passed once more than the turns.
         """
         testing = [
             i for i in sorted(part)
             if self.flow.blocks[i].tests and any(s not in part for s in self.flow.blocks[i].successors)
         ]  # fmt: skip
-        best = (math.inf, False)
-        for index in testing:
-            if self._every_turn(index, header, part):
-                best = min(best, (self._turns_by(index, header, part), index == header))
-        return best
+        counting = [i for i in testing if isinstance(self.flow.blocks[i].condition, Binary)][:MOST_TESTS]
+        found = [(self._turns_by(i, header, part), i) for i in counting]
+        proven = [each for each in found if each[0] < math.inf and self._every_turn(each[1], header, part)]
+        return min(proven, default=(math.inf, -1))
 
     def _turns_by(self, testing: int, header: int, part: frozenset[int]) -> float:
         block = self.flow.blocks[testing]
@@ -248,15 +256,17 @@ class Counter:
         if slot is None or (own.kinds | limit.kinds) & ~ranges.NUMBER:
             return math.inf
         known = self.known
-        stores = self.stores.get(slot.index, [])
+        stores = [*self.stores.get(slot.index, []), *self.arrays]
         moving = [
             (index, node)
             for index, node in stores
             if index in part and not self._ends(known.stored[node], going, limit)
         ]
+        if any(index in part for index, _ in self.arrays):
+            return math.inf
         if len(moving) != 1 or not self._every_turn(moving[0][0], header, part):
             return math.inf
-        if len(stores) > 1 and self._others_run(part):
+        if self._others_store(part, stores):
             return math.inf
         step = self._step(moving[0][1], slot.name)
         up = going in ("<", "<=")
@@ -268,22 +278,29 @@ class Counter:
         farthest = max(abs(start), abs(end)) + max(abs(step[0]), abs(step[1]))
         if farthest * 2.0**-24 > least / 16:
             return math.inf
-        exact = all(float(x).is_integer() for x in (least, start)) and farthest < ranges.EXACT_INT
-        if exact and going in ("<", ">"):
-            return max(0.0, math.ceil((end - start) / least))
-        return max(0.0, math.floor((end - start) / (least if exact else least * 15 / 16)) + 1)
+        exact = all(float(x).is_integer() for x in (least, start, end)) and farthest < ranges.EXACT_INT
+        if exact:
+            turns = -((start - end) // least) if going in "<>" else (end - start) // least + 1
+        else:
+            turns = (end - start) // (least * 15 / 16) + 1
+        return max(0.0, turns)
 
     def _walked(self, variable: Name, going: str, limit: ranges.Range, header: int, part: frozenset[int]) -> float:
         """The most turns of a loop over what FirstThingInView found: the engine keeps 32 things, then says none."""
         slot = self.program.slot_of.get(variable.name)
         if slot is None or ranges.truth(ranges.binary(going, NO_THING, limit)) is not False:
             return math.inf
-        moving = [(index, node) for index, node in self.stores.get(slot.index, []) if index in part]
+        stores = [*self.stores.get(slot.index, []), *self.arrays]
+        moving = [(index, node) for index, node in stores if index in part]
         walks = all(self._is_call(node.value, WALKS) for _, node in moving)
         if not walks or not any(self._every_turn(index, header, part) for index, _ in moving):
             return math.inf
-        anew = any(op is Op.CALL and arg.name in VIEWS for i in part for op, arg, _ in self.flow.blocks[i].code)
-        return math.inf if anew or self._others_run(part) else MOST_SEEN
+        called = frozenset(self.reach.blocks_from(c for i in part if (c := self.flow.blocks[i].callee) >= 0))
+        anew = any(
+            op is Op.CALL and (arg.name in VIEWS or arg.delivers)
+            for i in part | called for op, arg, _ in self.flow.blocks[i].code
+        )  # fmt: skip
+        return math.inf if anew or self._others_store(part, stores) else MOST_SEEN
 
     def _is_call(self, value: Expression, names: frozenset[str]) -> bool:
         verb = self.program.verb_of(value) if isinstance(value, Call) else None
@@ -305,11 +322,14 @@ class Counter:
                 return ranges.as_flex(left)
         return 0.0, 0.0
 
-    def _others_run(self, part: frozenset[int]) -> bool:
-        """Whether other handlers, or other runs of this one, can come between the turns."""
+    def _others_store(self, part: frozenset[int], stores: Sequence[tuple[int, Assign]]) -> bool:
+        """Whether one of the assignments can come between the turns: in what the loop calls, or in other handlers."""
         blocks = self.flow.blocks
-        return any(
-            blocks[i].callee >= 0 or any(op is Op.CALL and arg.delivers for op, arg, _ in blocks[i].code) for i in part
+        called = frozenset(self.reach.blocks_from(blocks[i].callee for i in part if blocks[i].callee >= 0))
+        if any(index in called for index, _ in stores):
+            return True
+        return len(stores) > 1 and any(
+            op is Op.CALL and arg.delivers for i in part | called for op, arg, _ in blocks[i].code
         )
 
     def _every_turn(self, index: int, header: int, part: frozenset[int]) -> bool:
