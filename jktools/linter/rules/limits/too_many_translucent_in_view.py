@@ -29,8 +29,8 @@ def too_many_translucent_in_view(level: Level, facts: LevelFacts) -> Iterator[Fi
         worst = level.sectors[int(counts.argmax())]
         yield Finding(
             Label(worst.head_span),
-            f"up to {counts.max()} translucent surfaces can be in view from sector {worst.index}, the worst of {over}, but "
-            f"the engine draws {MOST}",
+            f"up to {counts.max()} translucent surfaces can be in view from sector {worst.index}, the worst of {over}, "
+            f"but the engine draws {MOST}",
             "make fewer surfaces translucent (face flag 0x2), or part them with walls",
             worst.subject,
         )

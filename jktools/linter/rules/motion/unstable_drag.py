@@ -19,7 +19,7 @@ SCHEME = Scheme.SEMI_IMPLICIT_EULER
 
 @rule("JK720", "unstable-drag", severity=Severity.WARNING, since="0.1.0")
 def unstable_drag(level: Level, facts: LevelFacts) -> Iterator[Finding]:
-    """Report an actor or player with thrust of its own, whose drag is too great for the engine's step at 10 frames a second.
+    """Report an actor or player with thrust whose drag is too great for the engine's step at 10 frames a second.
 
     ## Why it matters
     Each frame takes drag x frame time of the speed. Beyond 2 the step of the research document turns the speed round
@@ -45,9 +45,9 @@ def unstable_drag(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             if not is_stable(SCHEME, drag, SLOW_FRAME):
                 yield Finding(
                     Label(setting.origins[0].span),
-                    f"{held.owner.title} has {key}={setting.text}, which takes {drag * SLOW_FRAME:.6g} times the speed in a "
-                    f"frame of {SLOW_FRAME:g} s, but by the research document's step more than {limit:g} makes it grow; "
-                    "the decompiled engine takes all of it",
+                    f"{held.owner.title} has {key}={setting.text}, which takes {drag * SLOW_FRAME:.6g} times the speed "
+                    f"in a frame of {SLOW_FRAME:g} s, but by the research document's step more than {limit:g} makes it "
+                    "grow, and by the decompiled engine's all of it is lost",
                     f"a {key} of at most {limit / SLOW_FRAME:g} is stable at 10 frames a second; 3 is usual",
                     held.owner.subject,
                 )

@@ -39,12 +39,14 @@ def item_out_of_reach(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     for island in islands(level, facts.openable_surfaces):
         if island.items:
             first, *rest = island.items
-            more = f" and {len(rest)} more items" if len(rest) > 1 else " and one more item" if rest else ""
+            more = (
+                f", with {len(rest)} more beside it" if len(rest) > 1 else ", with one more beside it" if rest else ""
+            )
             size = f"{len(island.sectors)} sectors" if len(island.sectors) > 1 else "one sector"
             yield Finding(
                 Label(first.head_span),
-                f"{first.title}{more} lies in sector {first.sector_index}, but no player start leads to that part of the "
-                f"level ({size})",
+                f"{first.title} is an item in sector {first.sector_index}{more}, but no player start leads to that "
+                f"part of the level ({size})",
                 "give an adjoin on the way the movement flag (0x2), or move what lies there",
                 first.subject,
                 tuple(Label(thing.head_span, thing.title) for thing in rest),
