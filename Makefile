@@ -1,7 +1,7 @@
 # make demo    set up, then lint and compile the fixture level
 # make test    set up, then every check and test
 # make bench   set up, then the benchmarks
-# make fuzz    the long random tests, and a million queries of sight at two tiers
+# make fuzz    the long random tests, and a million queries each of sight and drop at two tiers
 # make fresh   demo and test in an empty Debian 12 (needs root and debootstrap)
 
 PYTHON ?= python3
@@ -38,12 +38,14 @@ pytest: $(VENV)/built
 bench: $(VENV)/built
 	pytest benchmarks -s -o addopts="-q --strict-markers --import-mode=importlib"
 	python -m benchmarks.bench_sight
+	python -m benchmarks.bench_drop
 	python -m benchmarks.bench_visibility
 
 # The tests that grow with the time they are given: every corpus level, thousands of random faults, a million queries.
 fuzz: $(VENV)/built
-	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py
+	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py tests/geometry/test_occluders.py
 	python -m benchmarks.sight_disagreement --queries 1000000
+	python -m benchmarks.drop_disagreement --queries 1000000
 	python -m benchmarks.visibility_missed --level azulcity --each 2000
 	python -m benchmarks.visibility_missed --each 20
 

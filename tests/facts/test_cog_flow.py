@@ -68,6 +68,7 @@ def test_the_last_of_two_labels_counts_and_activate_is_activated() -> None:
         ("x = 1; call change; SetPulse(x);", 0, 9),
         ("x = 1; Sleep(1); SetPulse(x);", 0, 9),
         ("x = 1; Print(1); SetPulse(x);", 1, 1),
+        ("x = 1; if (x == 1 && DamageThing(0, 1, 1, 0) >= 0) SetPulse(x);", 0, 9),
         ("if (0.5) SetPulse(1); else SetPulse(2);", 2, 2),
         ("y[1] = 7; y[2] = 8; z = 3; SetPulse(w);", 8, 8),
     ],
@@ -137,13 +138,21 @@ def test_labels_lead_into_each_other() -> None:
         ("i = 0; do { Print(1); i = i + 1; } while (i < 3);", 3, 0),
         ("again: Print(1); if (Rand() < 0.5) goto again;", math.inf, 0),
         ("call twice; call twice;", 2, 0),
+        ("call deep;", 4, 0),  # no more than 4 calls are open at a time
+        ("while (1) { Print(1); Sleep(Rand()); }", math.inf, 0),
+        ("i = 0; while (i < 10) { Print(1); if (Rand() < 0.5) i = i + 1; }", math.inf, 0),
         ("i = 0; while (i < 10) { Print(1); k[Rand()] = i + 1; }", math.inf, 0),
     ],
 )
 def test_loops(loop: str, per_run: float, per_second: float) -> None:
-    each = facts(f"startup: {loop} return;", "twice: Print(1); return;", symbols=("int i local", "int k local"))
-    found = repeats(each.rates, "print")
-    assert (found.per_run, found.per_second) == (per_run, per_second)
+    each = facts(
+        f"startup: {loop} return;",
+        "twice: Print(1); return;",
+        "deep: Print(1); call deep; return;",
+        symbols=("int i local", "int k local"),
+    )
+    passes = [each.rates.repeats_of("startup", s) for s in each.rates.sites if s.verb.name == "print"]
+    assert (sum(p.per_run for p in passes), sum(p.per_second for p in passes)) == (per_run, per_second)
 
 
 def test_a_loop_that_others_can_turn_back_has_no_proven_end() -> None:
