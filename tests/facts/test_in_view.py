@@ -63,3 +63,13 @@ def test_islands_are_what_no_start_leads_to() -> None:
     # A value that can mean thing 1, surface 1 or sector 1.
     assert islands(level_of(two_rooms(*shut, "World cogs 1", "0: door.cog 1")), none) == []
     assert islands(level_of(two_rooms(*shut, "World things 3", "0: crate crate .5 .5 .2 0 0 0 0")), none) == []
+
+
+def test_a_file_without_sectors_has_nothing_in_view() -> None:
+    level = level_of("SECTION: TEMPLATES\nWorld templates 1\nghost none type=ghost\nend\n")
+    codes = [
+        each.code.id
+        for code in ("JK830", "JK831", "JK832", "JK226", "JK227")
+        for each in lint(level, [find_rule(code)])
+    ]
+    assert codes == []

@@ -24,7 +24,7 @@ def too_many_sectors_in_view(level: Level, facts: LevelFacts) -> Iterator[Findin
     and takes as long as the level's visibility.
     """
     counts = sectors_in_view(level, facts.visibility)
-    over = (counts > MOST).sum()
+    over = int((counts > MOST).sum())
     if over:
         worst = level.sectors[int(counts.argmax())]
         yield Finding(
