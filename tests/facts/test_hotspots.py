@@ -192,6 +192,15 @@ def test_pulses_of_things_reach_a_placed_script_by_its_links(mask: str, calls: f
     assert found.calls_per_second == pytest.approx(calls)
 
 
+@pytest.mark.parametrize(("capture", "calls"), [("", 0), ("CaptureThing(lamp);", 5)])
+def test_a_captured_thing_sends_its_pulses(capture: str, calls: float) -> None:
+    body = [f"startup: {capture} SetThingPulse(lamp, 0.2); return;", f"pulse: {LOOK} return;"]
+    script = looking(*body, symbols=("thing lamp nolink", "thing a nolink", "thing b nolink"))
+    more = ["30: mark mark .2 .5 .5 0 0 0 0"]
+    (found,) = hotspots(*placed_cog("30 20 21", *script, more=more))
+    assert found.calls_per_second == pytest.approx(calls)
+
+
 STARE = looking("startup: SetPulse(1.0); return;", f"pulse: {LOOK} return;")
 SHUT = ("World adjoins 2", "0: 0x6 1 1", "1: 0x6 0 1")
 

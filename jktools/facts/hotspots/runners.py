@@ -15,6 +15,9 @@ from jktools.syntax.cog.nodes import String
 NO_THING = 0x1
 """Mask bit of a symbol whose script gets messages that no thing causes, as pulses (sithCog_SendMessageFromThingEx)."""
 
+CAPTURE = "capturething"
+"""From then on the thing sends its messages to the script too."""
+
 ScriptOf = Callable[[str], "ScriptFacts | None"]
 
 
@@ -31,7 +34,7 @@ class Runner:
     script: ScriptFacts
     analysis: Analysis
     things: tuple[Thing, ...]
-    """Those whose messages it gets: the carriers of a class COG, those that a placed one is linked to."""
+    """Those whose messages it gets: the carriers of a class COG, those that a placed one is linked to or captures."""
     cog: Cog | None = None
     """The placed one; None for a class COG."""
     more: bool = False
@@ -79,14 +82,28 @@ def runners(level: Level, instances: Iterable[InstanceFacts], script_of: ScriptO
 
 
 def _linked(instance: InstanceFacts, by_number: Mapping[int, Thing]) -> Iterator[Thing]:
-    """The things whose pulses and timers reach a placed script."""
-    seen = set()
+    """The things whose pulses and timers reach a placed script: linked by a symbol, or captured."""
+    numbers: list[int] = []
     for each in instance.values:
         symbol = each.slot.declared
         linked = each.slot.type == "thing" and symbol is not None and symbol.link >= 0 and symbol.mask & NO_THING
-        if linked and isinstance(each.value, int) and each.value in by_number and each.value not in seen:
-            seen.add(each.value)
-            yield by_number[each.value]
+        if linked and isinstance(each.value, int):
+            numbers.append(each.value)
+    for number in dict.fromkeys([*numbers, *_captured(instance)]):
+        if number in by_number:
+            yield by_number[number]
+
+
+def _captured(instance: InstanceFacts) -> Iterator[int]:
+    """What CaptureThing binds to a script; any thing of its line where it is not known which."""
+    analysis = instance.analysis
+    for site in analysis.rates.sites if analysis is not None else ():
+        if site.verb.name == CAPTURE and site.arguments:
+            number = site.arguments[0].number
+            if number is not None:
+                yield int(number)
+            else:
+                yield from (v.value for v in instance.values if v.slot.type == "thing" and isinstance(v.value, int))
 
 
 def with_created(level: Level, found: Sequence[Runner], reach: Reach) -> list[Runner]:
