@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from jktools.compiler import sections
+from jktools.compiler import sections, walkability
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import PassError
 from jktools.compiler.sections import Columns, Cut, NotNeeded, Strings
@@ -38,6 +38,8 @@ PASSES: Mapping[str, Pass] = {
         Pass("templates", sections.templates),
         Pass("things", sections.things, ("geometry",)),
         Pass("cogs", sections.cogs),
+        Pass("ledges", walkability.ledges, ("geometry",)),
+        Pass("basins", walkability.basins, ("geometry", "ledges")),
     )
 }
 """In the order of the file; a pass comes after those that it needs."""

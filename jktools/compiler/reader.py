@@ -49,7 +49,7 @@ class CompiledLevel:
     """A compiled level in memory.
 
     The columns of geometry are attributes of the level itself (`vertices`, `surface_flags`, ...), those of the
-    other sections of `resources`, `templates`, `things` and `cogs`; a section that the level did not need is None.
+    other sections of `resources`, `templates`, `things`, `cogs`, `ledges` and `basins`; a section that the level did not need is None.
     grammars/level.fbs says what each holds.
     """
 
@@ -58,6 +58,8 @@ class CompiledLevel:
     templates: Section | None
     things: Section | None
     cogs: Section | None
+    ledges: Section | None
+    basins: Section | None
 
     def __init__(self, data: bytes | memoryview, path: str = "<bytes>", *, verify: bool = False) -> None:
         """Check and view a buffer. Raises CompiledFileError; `verify` compares the checksum too."""
@@ -156,6 +158,9 @@ class CompiledLevel:
             "templates": ("templates", "source"),
             "things": ("things", "source"),
             "cogs": ("cogs", "source"),
+            "bodies": ("ledges", "body_movesize"),
+            "ledges": ("ledges", "surface"),
+            "basins": ("basins", "body"),
         }
         return {
             kind: len(self.sections[section].columns[column]) if section in self.sections else 0

@@ -145,7 +145,7 @@ def test_a_flipped_byte_is_refused_or_stays_in_bounds(data: st.DataObject) -> No
 
 def test_columns_and_schema_say_the_same() -> None:
     schema = (ROOT / "grammars/level.fbs").read_text()
-    types = {"float": "f4", "int": "i4", "uint": "u4", "double": "f8"}
+    types = {"float": "f4", "int": "i4", "uint": "u4", "ubyte": "u1", "double": "f8"}
     for section, columns in SECTIONS.items():
         body = re.search(rf"^table {section.capitalize()} {{(.*?)^}}", schema, re.MULTILINE | re.DOTALL)
         assert body
