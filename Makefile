@@ -1,7 +1,7 @@
 # make demo    set up, then lint and compile the fixture level
 # make test    set up, then every check and test
 # make bench   set up, then the benchmarks
-# make fuzz    the long random tests, and a million queries of sight at two tiers
+# make fuzz    the long random tests, and a million queries each of sight and drop at two tiers
 # make fresh   demo and test in an empty Debian 12 (needs root and debootstrap)
 
 PYTHON ?= python3
@@ -43,6 +43,7 @@ bench: $(VENV)/built
 fuzz: $(VENV)/built
 	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py
 	python -m benchmarks.sight_disagreement --queries 1000000
+	python -m benchmarks.drop_disagreement --queries 1000000
 
 fresh:
 	tests/fresh.sh

@@ -75,6 +75,30 @@ class Viewer:
     def memory(self) -> int:
         """Bytes of native memory held."""
 
+class Faller:
+    """A level's sectors made ready for falls straight down; immutable."""
+
+    def __init__(self, viewer: Viewer, passes_to: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], under_water: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> None:
+        """
+        Take a viewer's mesh: passes_to (surfaces,) int32, under_water (sectors,) uint8.
+
+        passes_to is the sector that a body falls into through each surface, -1 where it is carried, -2 where it
+        is stopped and not carried, -3 for a surface that it does not meet. Raises ValueError naming the index
+        that is out of bounds.
+        """
+
+    def drop(self, points: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], sectors: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], limits: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], accuracy: str, threads: int) -> tuple[Annotated[NDArray[numpy.uint8], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.float64], dict(shape=(None,))]]:
+        """
+        Answer (ending, met, sector, distance), uint8, int32, int32 and float64, one entry a fall: see Landing.
+
+        points are (3n,) float64, JKU; sectors (n,) int32; limits (n,) float64, JKU. Raises ValueError naming the
+        row that is out of bounds.
+        """
+
+    @property
+    def memory(self) -> int:
+        """Bytes of native memory held, without the viewer's."""
+
 def sector_closure(viewer: Viewer) -> tuple[Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.float64], dict(shape=(None,))], Annotated[NDArray[numpy.float64], dict(shape=(None,))], Annotated[NDArray[numpy.uint8], dict(shape=(None,))]]:
     """
     Match each sector's directed edges by exact position.

@@ -3,6 +3,7 @@
 from jktools.geometry.adjoins import Alignment, adjoin_alignment
 from jktools.geometry.closedness import OpenEdges, open_edges
 from jktools.geometry.corners import Corners, corners_of
+from jktools.geometry.drop import ABSENT, CARRIES, STOPS, Drop, Ending
 from jktools.geometry.extent import Extent, centers_outside, sector_extent, sector_vertices
 from jktools.geometry.mesh import BLOCKS, Accuracy, Explanation, Location, SectorMesh, Sight, Step
 from jktools.geometry.nonconvexity import Behind, vertices_behind
@@ -28,14 +29,19 @@ from jktools.geometry.validity import (
 )
 
 __all__ = [
+    "ABSENT",
     "BLOCKS",
+    "CARRIES",
+    "STOPS",
     "Accuracy",
     "Alignment",
     "Behind",
     "Closure",
     "Convexity",
     "Corners",
+    "Drop",
     "Edges",
+    "Ending",
     "Explanation",
     "Extent",
     "Location",

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from jktools._native_geometry import Viewer  # noqa: TID251 (this package is the door)
+from jktools._native_geometry import Faller, Viewer  # noqa: TID251 (this package is the door)
+from jktools.geometry.drop import CARRIES, NO_LIMIT, Drop, Ending, Ground, ground_of
 from jktools.model import Level
 
 Bool = npt.NDArray[np.bool_]
@@ -74,10 +76,11 @@ class SectorMesh:
     written.
     """
 
-    def __init__(self, viewer: Viewer, known: Bool) -> None:
+    def __init__(self, viewer: Viewer, known: Bool, ground: Ground) -> None:
         """Use `from_level` or `from_arrays`."""
         self._viewer = viewer
         self._known = known
+        self._ground = ground
 
     @classmethod
     def from_level(cls, level: Level) -> SectorMesh:
@@ -86,7 +89,7 @@ class SectorMesh:
         An unsound sector (see `Level.sound_sectors`) is left out: adjoins into it block, and a query that starts in
         it is answered with crossed 0. An adjoin with no sector behind it blocks as well.
         """
-        return cls(Viewer(*mesh_arrays(level)), level.sound_sectors)
+        return cls(Viewer(*mesh_arrays(level)), level.sound_sectors, ground_of(level))
 
     @classmethod
     def from_arrays(
@@ -97,24 +100,41 @@ class SectorMesh:
         leads_to: npt.ArrayLike,
         sector_first: npt.ArrayLike,
         sector_count: npt.ArrayLike,
+        passes_to: npt.ArrayLike | None = None,
+        under_water: npt.ArrayLike | None = None,
     ) -> SectorMesh:
         """Take a mesh as arrays: positions (n, 3) float64, JKU, used as they are; the rest integers.
 
         Surface i has the vertices `surface_vertex[surface_start[i]:surface_start[i + 1]]`, counter-clockwise seen
         from inside its sector, and leads into the sector `leads_to[i]`, or BLOCKS. Sector i owns `sector_count[i]`
-        surfaces from `sector_first[i]` on. Raises ValueError naming the index that is out of bounds, or a position
-        that is not finite or has a coordinate of 2^150 JKU or more.
+        surfaces from `sector_first[i]` on. `passes_to` tells what a falling body meets at each surface, as in `Ground`
+        (by default it passes where sight does and is carried everywhere else), `under_water` which sectors are (by
+        default none). Raises ValueError naming the index that is out of bounds, or a position that is not finite or
+        has a coordinate of 2^150 JKU or more.
         """
+        leads = _integers(leads_to)
         viewer = Viewer(
-            _points(positions), _integers(surface_start), _integers(surface_vertex), _integers(leads_to),
+            _points(positions), _integers(surface_start), _integers(surface_vertex), leads,
             _integers(sector_first), _integers(sector_count),
         )  # fmt: skip
-        return cls(viewer, np.ones(len(_integers(sector_first)), np.bool_))
+        everywhere = np.ones(len(_integers(sector_first)), np.bool_)
+        ground = Ground(
+            np.where(leads == BLOCKS, CARRIES, leads).astype(np.int32) if passes_to is None else _integers(passes_to),
+            ~everywhere if under_water is None else np.ascontiguousarray(under_water, np.bool_),
+        )
+        mesh = cls(viewer, everywhere, ground)
+        if passes_to is not None or under_water is not None:
+            _ = mesh._faller  # checks them
+        return mesh
 
     @property
     def native(self) -> Viewer:
         """The native mesh, for the other modules of this package."""
         return self._viewer
+
+    @cached_property
+    def _faller(self) -> Faller:
+        return Faller(self._viewer, self._ground.passes_to, self._ground.under_water.view(np.uint8))
 
     @property
     def memory(self) -> int:
@@ -164,6 +184,34 @@ class SectorMesh:
         """Count the sectors, and the whole queries, that `balanced` must search completely: for benchmarks."""
         found = self._viewer.doubts(_points(origins), _integers(sectors), _points(targets))
         return found[0], found[1]
+
+    def drop(
+        self,
+        points: npt.ArrayLike,
+        sectors: npt.ArrayLike,
+        max_distance: npt.ArrayLike = NO_LIMIT,
+        accuracy: Accuracy = "balanced",
+        threads: int = 0,
+    ) -> Drop:
+        """Find the floor below points, (n, 3) JKU, in their sectors, (n,): straight down, by sector.
+
+        The way goes down through adjoins with movement (0x2), however they are seen, and ends at the first surface
+        that stops a body, at the water, or `max_distance` JKU (one for all or (n,)) further down. Things are no part
+        of it. A floor that the point lies behind, by however little, is not below it; one that it lies on is at
+        distance 0. Above an edge or a corner the highest floor counts, and where a floor and a passage meet at one
+        height, the floor; native/geometry/landing.hpp has the rule in full.
+
+        `balanced` and `exact` are exact in float64, and their distance is the double nearest to the true one; `fast`
+        is not. `threads` and errors as for `sight`, and ValueError naming the row whose distance is negative or not
+        a number.
+        """
+        first, at = _integers(sectors), _points(points)
+        limits = np.ascontiguousarray(np.broadcast_to(np.asarray(max_distance, np.float64), first.shape))
+        ending, met, sector, distance = self._faller.drop(at, first, limits, accuracy, threads)
+        known = self._known[sector]
+        if not known.all():
+            ending[~known], distance[~known], met[~known] = Ending.UNKNOWN, np.nan, -1
+        return Drop(np.where(ending == Ending.FLOOR, met, -1), distance, ending, met, sector)
 
     def explain(self, sector: int, origin: npt.ArrayLike, target: npt.ArrayLike) -> Explanation:
         """Answer one query, exactly, with each sector on its way. Raises ValueError as `sight` does."""

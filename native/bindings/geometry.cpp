@@ -11,6 +11,7 @@ NB_MODULE(_native_geometry, m) {
     m.doc() = "Native geometry with exact predicates; only jktools.geometry imports it.";
     jk::open_ledges(m);
     jk::open_sight(m);
+    jk::open_drop(m);
     jk::open_soundness(m);
     m.def(
         "sector_convexity",

@@ -3,21 +3,12 @@
 
 #include <nanobind/stl/tuple.h>
 
-#include <stdexcept>
-#include <string>
-
 #include "../arrays.hpp"
 #include "doors.hpp"
+#include "tier.hpp"
 
 namespace jk {
 namespace {
-
-Tier tier_of(const std::string& name) {
-    if (name == "fast") return Tier::kFast;
-    if (name == "balanced") return Tier::kBalanced;
-    if (name == "exact") return Tier::kExact;
-    throw std::invalid_argument("accuracy must be fast, balanced or exact, not " + name);
-}
 
 void make(Viewer* viewer, Array<double> positions, Array<Index> surface_start, Array<Index> surface_vertex,
           Array<Index> leads_to, Array<Index> sector_first, Array<Index> sector_count) {
