@@ -49,7 +49,8 @@ class CompiledLevel:
     """A compiled level in memory.
 
     The columns of geometry are attributes of the level itself (`vertices`, `surface_flags`, ...), those of the
-    other sections of `resources`, `templates`, `things`, `cogs`, `ledges` and `basins`; a section that the level did not need is None.
+    other sections of `resources`, `templates`,
+    `things`, `cogs`, `ledges` and `basins`; a section that the level did not need is None.
     grammars/level.fbs says what each holds.
     """
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -83,8 +84,8 @@ def _of_known(bodies: Sequence[Walker], values: Sequence[float]) -> npt.NDArray[
     return np.where([body.hovers for body in bodies], values, np.nan)
 
 
-def _rows(kept: Sequence[tuple[Ledges, npt.NDArray[np.intp]]]) -> dict[str, list[npt.NDArray[np.generic]]]:
-    columns: dict[str, list[npt.NDArray[np.generic]]] = {
+def _rows(kept: Sequence[tuple[Ledges, npt.NDArray[np.intp]]]) -> dict[str, list[npt.NDArray[Any]]]:
+    columns: dict[str, list[npt.NDArray[Any]]] = {
         name: []
         for name in (
             "surface", "corner", "start", "end", "kind", "other_kind", "below", "thing", "drop_start", "drop_end",
@@ -93,7 +94,7 @@ def _rows(kept: Sequence[tuple[Ledges, npt.NDArray[np.intp]]]) -> dict[str, list
     }  # fmt: skip
     for found, rows in kept:
         traits = found.narrow * NARROW | found.ai_stops * AI_STOPS
-        whole = {
+        whole: dict[str, npt.NDArray[Any]] = {
             "surface": found.surface, "corner": found.corner, "start": found.start, "end": found.end,
             "kind": found.kind, "other_kind": found.other, "below": found.below, "thing": found.thing,
             "drop_start": found.drop_start, "drop_end": found.drop_end, "traits": traits,

@@ -105,12 +105,8 @@ def basins_of(level: Level, ledges: Ledges, platforms: Platforms, touched: Touch
             entered |= Entry.START
         left = Way.DEADLY if _kills(level, ledges, rows) else Way(0)
         left |= _left(level, ledges, np.flatnonzero(here == number), apart, surfaces, platforms, touched)
-        found.append(
-            Basin(
-                tuple(surfaces.tolist()), max(0.0, float(drops.min())), float(drops.max()), entered, left,
-                tuple(rows.tolist()),
-            )  # fmt: skip
-        )
+        shallowest, deepest = max(0.0, float(drops.min())), float(drops.max())
+        found.append(Basin(tuple(surfaces.tolist()), shallowest, deepest, entered, left, tuple(rows.tolist())))
     return tuple(sorted(found, key=lambda basin: basin.surfaces))
 
 
@@ -120,10 +116,10 @@ def starts(level: Level) -> list[int]:
 
 
 def _kills(level: Level, ledges: Ledges, rows: npt.NDArray[np.intp]) -> bool:
-    """Whether every way in is a fall that kills a body of full health."""
+    """Whether every way in ends in a fall that kills a body of full health."""
     deadly = ledges.walker.deadly_drop()
     soft = (level.document.surfaces.flags[ledges.below[rows]] & SurfaceFlag.NO_FALL_DAMAGE) != 0
-    return bool(((ledges.kind[rows] == Kind.FALL) & ~soft & (ledges.least[rows] >= deadly)).all())
+    return bool((~soft & (ledges.least[rows] >= deadly)).all())
 
 
 def _entered(kinds: npt.NDArray[np.uint8]) -> Entry:

@@ -53,7 +53,8 @@ class Walker:
     def reattach(self, engine: Engine) -> float:
         """The deepest drop that it takes without falling, JKU."""
         b = self.body
-        return float(reattach_distance(b.insert_offset_z, b.movesize, height=b.height, engine=engine))
+        offset = b.height or b.insert_offset_z  # the document has no word on `height`, which takes its place
+        return float(reattach_distance(offset, b.movesize, height=b.height, engine=engine))
 
     def clearance(self, engine: Engine) -> float:
         """JKU under its sphere: the highest step that it walks up."""

@@ -15,7 +15,6 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from jktools.engine.flags import SurfaceFlag
 from jktools.engine.profile import Engine
 from jktools.facts.bodies import Walker
 from jktools.facts.platforms import Platforms
@@ -163,16 +162,16 @@ def ledges_of(
     cuts = sorted({0.0} | {c for each in limits.values() for c in _thresholds(each)})
     found = _cut(found, cuts)
     kinds = {each: _classed(found, limits[each], walker, each) for each in Engine}
-    narrow = np.isfinite(found.drop_start) & ~(np.fmin(found.past, found.far) > limits[engine].reattach)
     thing = platforms.near(edges, found)
     down = np.isin(kinds[engine], (Kind.FALL, Kind.NONE, Kind.WATER))
     thing = np.where(down, thing, -1).astype(np.int32)
+    narrow = down & ~(np.fmin(found.past, found.far) > own.reattach)
     for kind in kinds.values():
         kind[thing >= 0] = Kind.UNKNOWN
     (other,) = set(Engine) - {engine}
     return Ledges(
         walker, engine, edges, found.edge, found.start, found.end, kinds[engine], kinds[other], found.met,
-        found.sector, thing, found.drop_start, found.drop_end, narrow, _ai_stops(level, found, own.hover, walker),
+        found.sector, thing, found.drop_start, found.drop_end, narrow, _ai_stops(level, found, walker),
     )  # fmt: skip
 
 
@@ -237,7 +236,7 @@ def _classed(found: Beyond, limits: Limits, walker: Walker, engine: Engine) -> U
     ).astype(np.uint8)
 
 
-def _ai_stops(level: Level, found: Beyond, hover: float, walker: Walker) -> Bool:
+def _ai_stops(level: Level, found: Beyond, walker: Walker) -> Bool:
     """Where the AI refuses: no floor within hover + maxstep of its centre, or a floor flagged against it."""
     if walker.body.player:
         return np.zeros(len(found.edge), np.bool_)
@@ -251,8 +250,3 @@ def counts(ledges: Ledges) -> Mapping[Kind, int]:
     """How many intervals of each kind."""
     found = np.bincount(ledges.kind, minlength=len(Kind))
     return {kind: int(found[kind]) for kind in Kind}
-
-
-def is_solid_floor(flags: int) -> bool:
-    """Whether a surface's flags make it a floor when it faces up and has no adjoin."""
-    return bool(flags & SurfaceFlag.FLOOR and flags & SurfaceFlag.COLLISION)

@@ -11,8 +11,8 @@ from jktools.facts.bodies import Walker, walkers
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
-from jktools.facts.reachability import Reach, reach
 from jktools.facts.platforms import Platforms
+from jktools.facts.reachability import Reach, reach
 from jktools.facts.script import ScriptFacts
 from jktools.facts.standing import Carriers
 from jktools.geometry import (
@@ -111,6 +111,11 @@ class LevelFacts:
         if key not in self._ledges:
             self._ledges[key] = ledges_of(self.level, self.edges, walker, self.platforms, engine, accuracy)
         return self._ledges[key]
+
+    @cached_property
+    def player_ledges(self) -> tuple[Ledges, ...]:
+        """The ledges of each player's body whose hover height is known, for rules."""
+        return tuple(self.ledges(each) for each in self.bodies if each.hovers and each.body.player)
 
     @cached_property
     def touched(self) -> Touched:

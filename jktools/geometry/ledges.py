@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools._native_geometry import Strides  # noqa: TID251 (this package is the door)
-from jktools.engine.flags import SectorFlag, SurfaceFlag
+from jktools.geometry.drop import STOPS, ground_of
 from jktools.geometry.mesh import mesh_arrays
 from jktools.model import Level
 
@@ -20,11 +20,6 @@ UInt8 = npt.NDArray[np.uint8]
 
 BEYOND = 1e-3
 """JKU past the edge at which "just beyond" is looked at: far above the seams of levels, far below a body."""
-
-MOVEMENT = 0x2
-"""Adjoin flag: things pass."""
-FLOOR, SOLID, ABSENT = -1, -2, -3
-"""In place of the sector behind a surface that bodies do not pass; ABSENT is one that they do not meet."""
 
 
 class Over(enum.IntEnum):
@@ -82,8 +77,10 @@ class EdgeWalker:
     def __init__(self, level: Level) -> None:
         """Take the sectors that can be computed with; a way into another is blocked."""
         positions, start, vertex, _, first, count = mesh_arrays(level)
-        wet = (level.document.sectors.flags & SectorFlag.UNDERWATER) != 0
-        self._native = Strides(positions, start, vertex, passes_to(level), wet.view(np.uint8), first, count)
+        ground = ground_of(level)
+        self._native = Strides(
+            positions, start, vertex, _within(level, ground.passes_to), ground.under_water.view(np.uint8), first, count
+        )
         self.floors: Bool = self._native.floors().view(np.bool_)
         """(surfaces,): what bodies stand on: solid, with flag 0x1, facing up."""
         surfaces = np.flatnonzero(self.floors)
@@ -113,19 +110,8 @@ class EdgeWalker:
         return Beyond(*self._native.ledges(self.surface, self.corner, *gait, samples, threads))
 
 
-def passes_to(level: Level) -> Int32:
-    """The sector that a body comes into through each surface, (surfaces,), or FLOOR, SOLID, ABSENT.
-
-    It passes through an adjoin with movement (0x2) that leads into a sound sector. Every other surface with an adjoin
-    stops it, and without an adjoin those with surface flag 0x4 (sithCollision in the decompiled engine).
-    """
-    surfaces, adjoins, sound = level.document.surfaces, level.document.adjoins, level.sound_sectors
-    count = len(adjoins.flags)
-    has_adjoin = (surfaces.adjoin >= 0) & (surfaces.adjoin < count)
-    used = np.where(has_adjoin, surfaces.adjoin, count)  # the entry behind the last stands for none
-    behind = np.append(level.adjoin_sector, -1)[used]
-    passes = (np.append(adjoins.flags & MOVEMENT, 0)[used] != 0) & (behind >= 0)
-    passes[passes] &= sound[behind[passes]]
-    solid = has_adjoin | ((surfaces.flags & SurfaceFlag.COLLISION) != 0)
-    floor = (surfaces.flags & SurfaceFlag.FLOOR) != 0
-    return np.where(passes, behind, np.where(solid, np.where(floor, FLOOR, SOLID), ABSENT)).astype(np.int32)
+def _within(level: Level, passes_to: Int32) -> Int32:
+    """The same without ways into sectors that cannot be computed with: those are blocked."""
+    into = passes_to >= 0
+    known = np.append(level.sound_sectors, False)[np.where(into, passes_to, -1)]
+    return np.where(into & ~known, STOPS, passes_to).astype(np.int32)
