@@ -14,6 +14,8 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOnEdge = 1e-4;  // JKU over its floor at which a body's way up begins
 constexpr double kSlab = 4 * kBeyond;
+constexpr double kSteep = 0.7;  // least z of a unit normal
+constexpr double kBent = 1e-5;   // JKU that a surface may be bent and still count as one plane
 constexpr int kMostRounds = 16;
 
 struct Found {
@@ -38,9 +40,8 @@ public:
         : strides_(strides), mesh_(strides.mesh()), surface_(surface), gait_(gait), home_(strides.sector_of(surface)) {
         const auto s = static_cast<std::size_t>(surface);
         const Index first = mesh_.surface_start[s], count = mesh_.surface_start[s + 1] - first;
-        from_vertex_ = vertex_at(first + corner);
-        to_vertex_ = vertex_at(first + (corner + 1) % count);
-        const double *a = mesh_.vertex(from_vertex_), *b = mesh_.vertex(to_vertex_);
+        const double *a = mesh_.vertex(vertex_at(first + corner)),
+                     *b = mesh_.vertex(vertex_at(first + (corner + 1) % count));
         for (std::size_t k = 0; k < 3; ++k) start_[k] = a[k], along_[k] = b[k] - a[k];
         length_ = std::hypot(along_[0], along_[1]);
         out_ = {along_[1] / length_, -along_[0] / length_, 0};
@@ -48,20 +49,6 @@ public:
     }
 
     bool has_length() const { return length_ > kShortest; }
-
-    // The floor of the same sector that goes on behind the whole edge, -1 for none.
-    Index twin() const {
-        const auto sector = static_cast<std::size_t>(home_);
-        for (Index i = 0; i < mesh_.sector_count[sector]; ++i) {
-            const Index other = mesh_.sector_first[sector] + i;
-            if (other == surface_ || !strides_.carries(other)) continue;
-            const Index first = mesh_.surface_start[static_cast<std::size_t>(other)],
-                        end = mesh_.surface_start[static_cast<std::size_t>(other) + 1];
-            for (Index c = first; c < end; ++c)
-                if (vertex_at(c) == to_vertex_ && vertex_at(c + 1 < end ? c + 1 : first) == from_vertex_) return other;
-        }
-        return -1;
-    }
 
     void sampled(int samples, std::vector<Row>& rows) {
         for (int i = 0; i < samples; ++i)
@@ -143,12 +130,13 @@ private:
         return {Over::kBlocked, blocker, where, 0, {0, 0, 1}, start_};
     }
 
-    // From the edge down to the plane met, at a place of the edge itself.
+    // From the edge down to the plane met, at a place of the edge itself; on a steep one where it was met, since its
+    // plane may rise by much on the way back to the edge.
     double drop(const Found& found, double t) const {
         if (found.over == Over::kBlocked || found.over == Over::kVoid) return kNone;
         if (found.met < 0) return 0;  // under water already
-        const Point p = beside(t, 0, 0);
         const Point& n = found.normal;
+        const Point p = beside(t, n[2] < kSteep ? kBeyond : 0, 0);
         return p[2] - found.corner[2] + (n[0] * (p[0] - found.corner[0]) + n[1] * (p[1] - found.corner[1])) / n[2];
     }
 
@@ -169,7 +157,7 @@ private:
     }
 
     void add(std::vector<Row>& rows, double from, double to, const Found& found) {
-        if (!rows.empty() && rows.back().end == from && rows.back().found.same(found)) {
+        if (!rows.empty() && rows.back().end == from && alike(rows.back().found, found, from, to)) {
             rows.back().end = to;
             rows.back().drop1 = drop(rows.back().found, to);
             return;
@@ -184,19 +172,26 @@ private:
         if (width * length_ < 64 * kShortest) return add(rows, from, to, middle);
         const Found first = at(from + width / 64), last = at(to - width / 64);
         double low = from, high = to;
-        if (!first.same(middle)) {
-            low = close_in(from + width / 64, (from + to) / 2, first);
+        if (!alike(first, middle, from, to)) {
+            low = close_in(from + width / 64, (from + to) / 2, first, from, to);
             add(rows, from, low, first);
         }
-        if (!last.same(middle)) high = close_in(to - width / 64, (from + to) / 2, last);
+        if (!alike(last, middle, from, to)) high = close_in(to - width / 64, (from + to) / 2, last, from, to);
         add(rows, low, high, middle);
         if (high < to) add(rows, high, to, last);
     }
 
-    double close_in(double same, double other, const Found& found) {
+    // Whether two places meet the same, in one plane between `from` and `to`.
+    bool alike(const Found& a, const Found& b, double from, double to) const {
+        if (!a.same(b)) return false;
+        if (a.met < 0 || a.over == Over::kBlocked) return true;
+        return std::abs(drop(a, from) - drop(b, from)) <= kBent && std::abs(drop(a, to) - drop(b, to)) <= kBent;
+    }
+
+    double close_in(double same, double other, const Found& found, double from, double to) {
         while (std::abs(other - same) * length_ > kShortest / 16) {
             const double middle = (same + other) / 2;
-            (at(middle).same(found) ? same : other) = middle;
+            (alike(at(middle), found, from, to) ? same : other) = middle;
         }
         return (same + other) / 2;
     }
@@ -263,7 +258,6 @@ private:
     const Index surface_;
     const Gait& gait_;
     const Index home_;
-    Index from_vertex_ = 0, to_vertex_ = 0;
     Point start_{}, along_{}, out_{}, normal_{};
     double length_ = 0;
     std::vector<Index> visited_, gathered_;
@@ -286,11 +280,6 @@ std::vector<Row> rows_of(const Strides& strides, Index surface, Index corner, co
     Edge edge(strides, surface, corner, gait);
     std::vector<Row> rows;
     if (!edge.has_length()) return rows;
-    const Index twin = edge.twin();
-    if (twin >= 0) {
-        rows.push_back({0, 1, {Over::kFloor, twin, strides.sector_of(twin), 0, {}, {}}, 0, 0, 0, 0});
-        return rows;
-    }
     if (samples > 0)
         edge.sampled(samples, rows);
     else
