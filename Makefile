@@ -38,10 +38,11 @@ pytest: $(VENV)/built
 bench: $(VENV)/built
 	pytest benchmarks -s -o addopts="-q --strict-markers --import-mode=importlib"
 	python -m benchmarks.bench_sight
+	python -m benchmarks.bench_drop
 
 # The tests that grow with the time they are given: every corpus level, thousands of random faults, a million queries.
 fuzz: $(VENV)/built
-	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py
+	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py tests/geometry/test_occluders.py
 	python -m benchmarks.sight_disagreement --queries 1000000
 	python -m benchmarks.drop_disagreement --queries 1000000
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from jktools.compiler import open_compiled as open_compiled
     from jktools.diagnostics import Diagnostic as Diagnostic
     from jktools.diagnostics import Severity as Severity
+    from jktools.facts.scene import sight as sight
     from jktools.geometry import SectorMesh as SectorMesh
     from jktools.model import Level as Level
     from jktools.session import Settings as Settings
@@ -44,6 +45,7 @@ _PUBLIC = {
     "load": ("jktools.session", "load"),
     "load_script": ("jktools.session", "load_script"),
     "mesh": ("jktools.session", "mesh"),
+    "sight": ("jktools.facts.scene", "sight"),
     "Script": ("jktools.syntax.cog", "Script"),
     "SectorMesh": ("jktools.geometry", "SectorMesh"),
     "open_compiled": ("jktools.compiler", "open_compiled"),

@@ -120,6 +120,15 @@ def sector_overlaps(viewer: Viewer) -> tuple[Annotated[NDArray[numpy.int32], dic
     Returns (first, second, depth), sorted, one entry a pair, depth in JKU: see Overlaps.
     """
 
+def visibility(viewer: Viewer, leads_to: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], accuracy: str, threads: int, progress: object | None) -> tuple[Annotated[NDArray[numpy.uint8], dict(shape=(None,))], int, int]:
+    """
+    Answer (rows, portals, cut_short): which sectors can be seen from which.
+
+    rows is uint8, (n + 7) // 8 bytes a sector, the least bit first. leads_to is (surfaces,) int32, as the viewer
+    takes it. progress(done, all) may raise to stop the work. Raises ValueError naming the surface that leads
+    to no sector.
+    """
+
 def sector_convexity(positions: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], surface_start: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], surface_vertex: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], sector_first: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], sector_count: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], sector_start: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], sector_vertex: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.float64], dict(shape=(None,))]]:
     """
     Test each sector's vertices against its surfaces, exactly.

@@ -45,6 +45,9 @@ struct CogsBuilder;
 struct Omission;
 struct OmissionBuilder;
 
+struct Visibility;
+struct VisibilityBuilder;
+
 struct Ledges;
 struct LedgesBuilder;
 
@@ -1851,6 +1854,91 @@ inline ::flatbuffers::Offset<Omission> CreateOmissionDirect(
       name__);
 }
 
+/// Which sectors can be seen from which, walls only, what COGs may change counted as open. A pair without a bit is
+/// certain: no segment from the one enters the other by the rules of sight.
+struct Visibility FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef VisibilityBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_SECTOR = 4,
+    VT_ROW_START = 6,
+    VT_ROW = 8
+  };
+  /// The sector of each row.
+  const ::flatbuffers::Vector<int32_t> *sector() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SECTOR);
+  }
+  const ::flatbuffers::Vector<uint32_t> *row_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_ROW_START);
+  }
+  /// Bit b % 8 of byte b / 8 of an expanded row stands for sector b; (sectors + 7) / 8 bytes. In the file a zero byte is
+  /// followed by how many zero bytes it stands for, 1 to 255; other bytes stand for themselves.
+  const ::flatbuffers::Vector<uint8_t> *row() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_ROW);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_SECTOR) &&
+           verifier.VerifyVector(sector()) &&
+           VerifyOffset(verifier, VT_ROW_START) &&
+           verifier.VerifyVector(row_start()) &&
+           VerifyOffset(verifier, VT_ROW) &&
+           verifier.VerifyVector(row()) &&
+           verifier.EndTable();
+  }
+};
+
+struct VisibilityBuilder {
+  typedef Visibility Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_sector(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> sector) {
+    fbb_.AddOffset(Visibility::VT_SECTOR, sector);
+  }
+  void add_row_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> row_start) {
+    fbb_.AddOffset(Visibility::VT_ROW_START, row_start);
+  }
+  void add_row(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> row) {
+    fbb_.AddOffset(Visibility::VT_ROW, row);
+  }
+  explicit VisibilityBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Visibility> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Visibility>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Visibility> CreateVisibility(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> sector = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> row_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> row = 0) {
+  VisibilityBuilder builder_(_fbb);
+  builder_.add_row(row);
+  builder_.add_row_start(row_start);
+  builder_.add_sector(sector);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Visibility> CreateVisibilityDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<int32_t> *sector = nullptr,
+    const std::vector<uint32_t> *row_start = nullptr,
+    const std::vector<uint8_t> *row = nullptr) {
+  auto sector__ = sector ? _fbb.CreateVector<int32_t>(*sector) : 0;
+  auto row_start__ = row_start ? _fbb.CreateVector<uint32_t>(*row_start) : 0;
+  auto row__ = row ? _fbb.CreateVector<uint8_t>(*row) : 0;
+  return jktools::CreateVisibility(
+      _fbb,
+      sector__,
+      row_start__,
+      row__);
+}
+
 /// What walking bodies meet beyond the edges of floors. An edge that is not listed is level: the floor goes on.
 struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef LedgesBuilder Builder;
@@ -2355,8 +2443,9 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_THINGS = 28,
     VT_COGS = 30,
     VT_OMISSIONS = 32,
-    VT_LEDGES = 34,
-    VT_BASINS = 36
+    VT_VISIBILITY = 34,
+    VT_LEDGES = 36,
+    VT_BASINS = 38
   };
   /// Readers refuse a file whose major version they do not know.
   uint16_t format_major() const {
@@ -2406,6 +2495,9 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>> *omissions() const {
     return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>> *>(VT_OMISSIONS);
   }
+  const jktools::Visibility *visibility() const {
+    return GetPointer<const jktools::Visibility *>(VT_VISIBILITY);
+  }
   const jktools::Ledges *ledges() const {
     return GetPointer<const jktools::Ledges *>(VT_LEDGES);
   }
@@ -2447,6 +2539,8 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            VerifyOffset(verifier, VT_OMISSIONS) &&
            verifier.VerifyVector(omissions()) &&
            verifier.VerifyVectorOfTables(omissions()) &&
+           VerifyOffset(verifier, VT_VISIBILITY) &&
+           verifier.VerifyTable(visibility()) &&
            VerifyOffset(verifier, VT_LEDGES) &&
            verifier.VerifyTable(ledges()) &&
            VerifyOffset(verifier, VT_BASINS) &&
@@ -2504,6 +2598,9 @@ struct LevelBuilder {
   void add_omissions(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>>> omissions) {
     fbb_.AddOffset(Level::VT_OMISSIONS, omissions);
   }
+  void add_visibility(::flatbuffers::Offset<jktools::Visibility> visibility) {
+    fbb_.AddOffset(Level::VT_VISIBILITY, visibility);
+  }
   void add_ledges(::flatbuffers::Offset<jktools::Ledges> ledges) {
     fbb_.AddOffset(Level::VT_LEDGES, ledges);
   }
@@ -2544,11 +2641,13 @@ inline ::flatbuffers::Offset<Level> CreateLevel(
     ::flatbuffers::Offset<jktools::Things> things = 0,
     ::flatbuffers::Offset<jktools::Cogs> cogs = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>>> omissions = 0,
+    ::flatbuffers::Offset<jktools::Visibility> visibility = 0,
     ::flatbuffers::Offset<jktools::Ledges> ledges = 0,
     ::flatbuffers::Offset<jktools::Basins> basins = 0) {
   LevelBuilder builder_(_fbb);
   builder_.add_basins(basins);
   builder_.add_ledges(ledges);
+  builder_.add_visibility(visibility);
   builder_.add_omissions(omissions);
   builder_.add_cogs(cogs);
   builder_.add_things(things);
@@ -2584,6 +2683,7 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
     ::flatbuffers::Offset<jktools::Things> things = 0,
     ::flatbuffers::Offset<jktools::Cogs> cogs = 0,
     const std::vector<::flatbuffers::Offset<jktools::Omission>> *omissions = nullptr,
+    ::flatbuffers::Offset<jktools::Visibility> visibility = 0,
     ::flatbuffers::Offset<jktools::Ledges> ledges = 0,
     ::flatbuffers::Offset<jktools::Basins> basins = 0) {
   auto tool_version__ = tool_version ? _fbb.CreateString(tool_version) : 0;
@@ -2609,6 +2709,7 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
       things,
       cogs,
       omissions__,
+      visibility,
       ledges,
       basins);
 }

@@ -31,6 +31,9 @@ def _lines(level: CompiledLevel, verify: bool) -> Iterator[str]:
         yield f"  from {path} (sha256 {digest})"
     yield f"  checksum {level.checksum}" + (" (verified)" if verify else "")
     yield "  counts: " + ", ".join(f"{count} {kind.replace('_', ' ')}" for kind, count in level.counts.items())
+    visible = level.visible_sectors
+    if visible is not None and len(visible):
+        yield f"  visibility: {visible.sum(axis=1).mean():.1f} of {len(visible)} sectors from a sector, on average"
     yield "  passes:"
     for name, state in level.passes.items():
         section = level.sections.get(name)

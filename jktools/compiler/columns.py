@@ -147,6 +147,19 @@ COGS: Mapping[str, Column] = MappingProxyType(
     }
 )
 
+VISIBILITY: Mapping[str, Column] = MappingProxyType(
+    {
+        **_rows(
+            "sector",
+            {
+                "sector": Column("i4", index_of="geometry.sector_flags"),
+                "row_start": Column("u4", cuts="row"),
+            },
+        ),
+        "row": Column("u1"),
+    }
+)
+
 _SURFACES = "geometry.surface_flags"
 
 LEDGES: Mapping[str, Column] = MappingProxyType(
@@ -211,6 +224,7 @@ SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
         "templates": TEMPLATES,
         "things": THINGS,
         "cogs": COGS,
+        "visibility": VISIBILITY,
         "ledges": LEDGES,
         "basins": BASINS,
     }

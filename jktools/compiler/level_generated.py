@@ -3236,6 +3236,140 @@ def OmissionEnd(builder):
 
 
 
+# Which sectors can be seen from which, walls only, what COGs may change counted as open. A pair without a bit is
+# certain: no segment from the one enters the other by the rules of sight.
+class Visibility(object):
+    __slots__ = ['_tab']
+
+    @classmethod
+    def GetRootAs(cls, buf, offset=0):
+        n = flatbuffers.encode.Get(flatbuffers.packer.uoffset, buf, offset)
+        x = Visibility()
+        x.Init(buf, n + offset)
+        return x
+
+    @classmethod
+    def GetRootAsVisibility(cls, buf, offset=0):
+        """This method is deprecated. Please switch to GetRootAs."""
+        return cls.GetRootAs(buf, offset)
+    @classmethod
+    def VisibilityBufferHasIdentifier(cls, buf, offset, size_prefixed=False):
+        return flatbuffers.util.BufferHasIdentifier(buf, offset, b"\x4A\x4B\x4C\x42", size_prefixed=size_prefixed)
+
+    # Visibility
+    def Init(self, buf, pos):
+        self._tab = flatbuffers.table.Table(buf, pos)
+
+    # The sector of each row.
+    # Visibility
+    def Sector(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Visibility
+    def SectorAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Visibility
+    def SectorLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Visibility
+    def SectorIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        return o == 0
+
+    # Visibility
+    def RowStart(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Visibility
+    def RowStartAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Visibility
+    def RowStartLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Visibility
+    def RowStartIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        return o == 0
+
+    # Bit b % 8 of byte b / 8 of an expanded row stands for sector b; (sectors + 7) / 8 bytes. In the file a zero byte is
+    # followed by how many zero bytes it stands for, 1 to 255; other bytes stand for themselves.
+    # Visibility
+    def Row(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint8Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 1))
+        return 0
+
+    # Visibility
+    def RowAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint8Flags, o)
+        return 0
+
+    # Visibility
+    def RowLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Visibility
+    def RowIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        return o == 0
+
+def VisibilityStart(builder):
+    builder.StartObject(3)
+
+def VisibilityAddSector(builder, sector):
+    builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(sector), 0)
+
+def VisibilityStartSectorVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def VisibilityAddRowStart(builder, rowStart):
+    builder.PrependUOffsetTRelativeSlot(1, flatbuffers.number_types.UOffsetTFlags.py_type(rowStart), 0)
+
+def VisibilityStartRowStartVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def VisibilityAddRow(builder, row):
+    builder.PrependUOffsetTRelativeSlot(2, flatbuffers.number_types.UOffsetTFlags.py_type(row), 0)
+
+def VisibilityStartRowVector(builder, numElems):
+    return builder.StartVector(1, numElems, 1)
+
+def VisibilityEnd(builder):
+    return builder.EndObject()
+
+
+
 # What walking bodies meet beyond the edges of floors. An edge that is not listed is level: the floor goes on.
 class Ledges(object):
     __slots__ = ['_tab']
@@ -4474,8 +4608,18 @@ class Level(object):
         return o == 0
 
     # Level
-    def Ledges(self):
+    def Visibility(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Visibility()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Level
+    def Ledges(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
         if o != 0:
             x = self._tab.Indirect(o + self._tab.Pos)
             obj = Ledges()
@@ -4485,7 +4629,7 @@ class Level(object):
 
     # Level
     def Basins(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
         if o != 0:
             x = self._tab.Indirect(o + self._tab.Pos)
             obj = Basins()
@@ -4494,7 +4638,7 @@ class Level(object):
         return None
 
 def LevelStart(builder):
-    builder.StartObject(17)
+    builder.StartObject(18)
 
 def LevelAddFormatMajor(builder, formatMajor):
     builder.PrependUint16Slot(0, formatMajor, 0)
@@ -4556,11 +4700,14 @@ def LevelAddOmissions(builder, omissions):
 def LevelStartOmissionsVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
 
+def LevelAddVisibility(builder, visibility):
+    builder.PrependUOffsetTRelativeSlot(15, flatbuffers.number_types.UOffsetTFlags.py_type(visibility), 0)
+
 def LevelAddLedges(builder, ledges):
-    builder.PrependUOffsetTRelativeSlot(15, flatbuffers.number_types.UOffsetTFlags.py_type(ledges), 0)
+    builder.PrependUOffsetTRelativeSlot(16, flatbuffers.number_types.UOffsetTFlags.py_type(ledges), 0)
 
 def LevelAddBasins(builder, basins):
-    builder.PrependUOffsetTRelativeSlot(16, flatbuffers.number_types.UOffsetTFlags.py_type(basins), 0)
+    builder.PrependUOffsetTRelativeSlot(17, flatbuffers.number_types.UOffsetTFlags.py_type(basins), 0)
 
 def LevelEnd(builder):
     return builder.EndObject()

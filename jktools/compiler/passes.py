@@ -38,6 +38,7 @@ PASSES: Mapping[str, Pass] = {
         Pass("templates", sections.templates),
         Pass("things", sections.things, ("geometry",)),
         Pass("cogs", sections.cogs),
+        Pass("visibility", sections.visibility, ("geometry",)),
         Pass("ledges", walkability.ledges, ("geometry",)),
         Pass("basins", walkability.basins, ("geometry", "ledges")),
     )

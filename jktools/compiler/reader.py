@@ -17,6 +17,7 @@ from jktools.compiler.checksum import is_intact
 from jktools.compiler.columns import SECTIONS, Column
 from jktools.compiler.errors import CompiledFileError
 from jktools.compiler.ranges import first_fault
+from jktools.geometry import expanded, unpacked
 
 FORMAT_MAJOR, FORMAT_MINOR = 1, 1
 """Version of the format that this code writes; it reads every file of the same major version."""
@@ -59,6 +60,7 @@ class CompiledLevel:
     templates: Section | None
     things: Section | None
     cogs: Section | None
+    visibility: Section | None
     ledges: Section | None
     basins: Section | None
 
@@ -115,6 +117,24 @@ class CompiledLevel:
     def strings(self) -> tuple[str, ...]:
         """Every text of the level."""
         return tuple(self._text(self._root.Strings(i)) for i in range(self._root.StringsLength()))
+
+    @cached_property
+    def visible_sectors(self) -> npt.NDArray[np.bool_] | None:
+        """Which sectors can be seen from which, (n, n): row a, column b. None for a file without that section.
+
+        Expanded when first asked for. Raises CompiledFileError when a row is damaged.
+        """
+        if self.visibility is None:
+            return None
+        count = len(self.geometry.sector_flags)
+        matrix = np.zeros((count, (count + 7) // 8), np.uint8)
+        start, data = self.visibility.row_start, self.visibility.row.tobytes()
+        try:
+            for i, sector in enumerate(self.visibility.sector):
+                matrix[sector] = np.frombuffer(expanded(data[start[i] : start[i + 1]], matrix.shape[1]), np.uint8)
+        except ValueError as error:
+            raise CompiledFileError(f"cannot read {self.path}: the file is damaged; build it again") from error
+        return unpacked(matrix)
 
     @property
     def format(self) -> str:

@@ -13,6 +13,7 @@ from jktools.compiler.columns import RESOURCES
 from jktools.compiler.cut import Omission, choose
 from jktools.compiler.settings import CompileSettings
 from jktools.facts import LevelFacts
+from jktools.geometry import compressed
 from jktools.model import Level
 from jktools.model.templates import Resolved, Setting
 from jktools.syntax.jkl import Parameters
@@ -191,6 +192,18 @@ def cogs(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | N
         "script": strings.indices(table.scripts),
         "value_start": table.value_start,
         "value": strings.indices(table.values),
+    }
+
+
+def visibility(facts: LevelFacts, _: Strings, settings: CompileSettings) -> Columns | NotNeeded:
+    """Which sectors can be seen from which, a compressed row a sector."""
+    rows = [compressed(row.tobytes()) for row in facts.visible_sectors(settings.accuracy).rows]
+    if not rows:
+        return NotNeeded("the level has no sector")
+    return {
+        "sector": np.arange(len(rows)),
+        "row_start": np.concatenate([[0], np.cumsum([len(row) for row in rows])]),
+        "row": np.frombuffer(b"".join(rows), np.uint8),
     }
 
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from jktools.geometry import Accuracy
+
 
 @dataclass(frozen=True, slots=True)
 class CompileSettings:
     """Choices of one compilation. Engine and accuracy are recorded in the file, and so is why a pass did not run."""
 
     engine: str = "research"
-    accuracy: str = "balanced"
+    accuracy: Accuracy = "balanced"
     only: frozenset[str] = frozenset()
     """Passes to run, with those that they need; none means all."""
     skip: frozenset[str] = frozenset()

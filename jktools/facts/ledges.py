@@ -18,6 +18,7 @@ import numpy.typing as npt
 from jktools.engine.profile import Engine
 from jktools.facts.bodies import Walker
 from jktools.facts.platforms import Platforms
+from jktools.geometry.exact_ledges import ExactLedges
 from jktools.geometry.ledges import Beyond, EdgeWalker, Gait, Over
 from jktools.model import Level
 
@@ -158,7 +159,10 @@ def ledges_of(
     radius = walker.body.movesize
     rises = min(MOST_RISES, math.ceil(walker.apex() / radius))
     gait = Gait(own.hover, radius, radius, rises)
-    found = edges.beyond(gait, SAMPLES if accuracy == "fast" else 0, threads)
+    if accuracy == "exact":
+        found = ExactLedges(level, edges).beyond(gait)
+    else:
+        found = edges.beyond(gait, SAMPLES if accuracy == "fast" else 0, threads)
     cuts = sorted({0.0} | {c for each in limits.values() for c in _thresholds(each)})
     found = _cut(found, cuts)
     kinds = {each: _classed(found, limits[each], walker, each) for each in Engine}

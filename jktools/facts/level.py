@@ -11,11 +11,13 @@ from jktools.facts.bodies import Walker, walkers
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
+from jktools.facts.openings import named_by_cogs
 from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.script import ScriptFacts
 from jktools.facts.standing import Carriers
 from jktools.geometry import (
+    Accuracy,
     Alignment,
     Convexity,
     Corners,
@@ -26,6 +28,7 @@ from jktools.geometry import (
     Planarity,
     SectorMesh,
     Turns,
+    VisibleSectors,
 )
 from jktools.geometry.collision import Collision
 from jktools.geometry.ledges import EdgeWalker
@@ -130,6 +133,22 @@ class LevelFacts:
     def overlaps(self) -> Overlaps:
         """The pairs of sectors that overlap."""
         return geometry.sector_overlaps(self.mesh)
+
+    @cached_property
+    def openable_surfaces(self) -> Int32:
+        """Surfaces that COGs may make see-through; no script is read, so all that a placed COG's values can name."""
+        return named_by_cogs(self.level)
+
+    @cached_property
+    def visibility(self) -> VisibleSectors:
+        """Which sectors can be seen from which, at `balanced`."""
+        return self.mesh.visible_sectors(open_surfaces=self.openable_surfaces)
+
+    def visible_sectors(self, accuracy: Accuracy) -> VisibleSectors:
+        """Which sectors can be seen from which, at any tier."""
+        if accuracy == "balanced":
+            return self.visibility
+        return self.mesh.visible_sectors(accuracy, open_surfaces=self.openable_surfaces)
 
     @cached_property
     def collide_boxes(self) -> tuple[Int32, Outside]:

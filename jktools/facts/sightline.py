@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from jktools.geometry.mesh import Explanation, SectorMesh
-from jktools.model import Level
+from jktools.model import Level, Thing
 
 
 class EndpointError(ValueError):
@@ -23,6 +23,7 @@ class Endpoint(NamedTuple):
     """JKU."""
     sector: int
     """-1 for a point outside every sector."""
+    thing: Thing | None = None
 
 
 class Sightline(NamedTuple):
@@ -48,7 +49,7 @@ def endpoint(level: Level, mesh: SectorMesh, text: str) -> Endpoint:
     if thing.dropped is not None or not np.isfinite(thing.position).all():
         raise EndpointError(f"{thing.title} is not in the level: {thing.dropped or 'it has no position'}")
     x, y, z = (float(value) for value in thing.position)
-    return Endpoint(thing.title, (x, y, z), thing.sector_index)
+    return Endpoint(thing.title, (x, y, z), thing.sector_index, thing)
 
 
 def _point(mesh: SectorMesh, text: str) -> Endpoint:

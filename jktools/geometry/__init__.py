@@ -27,6 +27,7 @@ from jktools.geometry.validity import (
     sector_convexity,
     surface_planarity,
 )
+from jktools.geometry.visibility import Progress, VisibleSectors, compressed, expanded, unpacked
 
 __all__ = [
     "ABSENT",
@@ -50,15 +51,19 @@ __all__ = [
     "Outside",
     "Overlaps",
     "Planarity",
+    "Progress",
     "SectorMesh",
     "Sight",
     "Step",
     "Turns",
+    "VisibleSectors",
     "adjoin_alignment",
     "centers_outside",
     "collide_boxes_outside",
+    "compressed",
     "corner_turns",
     "corners_of",
+    "expanded",
     "normal_fit",
     "open_edges",
     "points_outside",
@@ -69,5 +74,6 @@ __all__ = [
     "sector_vertices",
     "surface_edges",
     "surface_planarity",
+    "unpacked",
     "vertices_behind",
 ]

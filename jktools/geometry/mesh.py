@@ -9,7 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools._native_geometry import Faller, Viewer  # noqa: TID251 (this package is the door)
+from jktools._native_geometry import visibility as native_visibility  # noqa: TID251 (this package is the door)
 from jktools.geometry.drop import CARRIES, NO_LIMIT, Drop, Ending, Ground, ground_of
+from jktools.geometry.visibility import Progress, VisibleSectors
 from jktools.model import Level
 
 Bool = npt.NDArray[np.bool_]
@@ -76,10 +78,12 @@ class SectorMesh:
     written.
     """
 
-    def __init__(self, viewer: Viewer, known: Bool, ground: Ground) -> None:
+    def __init__(self, viewer: Viewer, known: Bool, leads_to: Int32, behind: Int32, ground: Ground) -> None:
         """Use `from_level` or `from_arrays`."""
         self._viewer = viewer
         self._known = known
+        self._leads_to = leads_to
+        self._behind = behind
         self._ground = ground
 
     @classmethod
@@ -89,7 +93,8 @@ class SectorMesh:
         An unsound sector (see `Level.sound_sectors`) is left out: adjoins into it block, and a query that starts in
         it is answered with crossed 0. An adjoin with no sector behind it blocks as well.
         """
-        return cls(Viewer(*mesh_arrays(level)), level.sound_sectors, ground_of(level))
+        arrays = mesh_arrays(level)
+        return cls(Viewer(*arrays), level.sound_sectors, arrays[3], _sector_behind(level, 0), ground_of(level))
 
     @classmethod
     def from_arrays(
@@ -122,7 +127,7 @@ class SectorMesh:
             np.where(leads == BLOCKS, CARRIES, leads).astype(np.int32) if passes_to is None else _integers(passes_to),
             ~everywhere if under_water is None else np.ascontiguousarray(under_water, np.bool_),
         )
-        mesh = cls(viewer, everywhere, ground)
+        mesh = cls(viewer, everywhere, leads, leads, ground)
         if passes_to is not None or under_water is not None:
             _ = mesh._faller  # checks them
         return mesh
@@ -166,10 +171,10 @@ class SectorMesh:
         """Ask whether targets, (n, 3) JKU, are seen from origins, (n, 3) JKU, in their sectors, (n,).
 
         Walls only: things do not block, and every surface without a see-through adjoin does (research document).
-        `balanced` and `exact` are exact in float64, `fast` is not: plain doubles, without a check. Exactness costs nothing
-        here (benchmarks/bench_sight.py): `balanced` looks at segments eight at a time in float32 and is the fastest
-        of the three in a batch. threads 0 means one a core; the answers are the same for any number. Raises ValueError naming the row whose sector does not exist or whose coordinate is
-        not finite or 2^150 JKU or more.
+        `balanced` and `exact` are exact in float64, `fast` is not: plain doubles, without a check. Exactness costs
+        nothing here (benchmarks/bench_sight.py): `balanced` looks at segments eight at a time in float32 and is the
+        fastest of the three in a batch. threads 0 means one a core; the answers are the same for any number. Raises
+        ValueError naming the row whose sector does not exist or whose coordinate is not finite or 2^150 JKU or more.
         """
         first = _integers(sectors)
         visible, crossed, blocker = self._viewer.sight(_points(origins), first, _points(targets), accuracy, threads)
@@ -179,6 +184,38 @@ class SectorMesh:
     def _without_unknown(self, found: Sight, first: Int32) -> Sight:
         known = self._known[first]
         return Sight(found.visible & known, np.where(known, found.crossed, 0), found.blocker)
+
+    def visibility(self, accuracy: Accuracy = "balanced", threads: int = 0, open_surfaces: npt.ArrayLike = ()) -> Bool:
+        """Tell which sectors can be seen from which, (n, n): the matrix of `visible_sectors`."""
+        return self.visible_sectors(accuracy, threads, open_surfaces).matrix
+
+    def visible_sectors(
+        self,
+        accuracy: Accuracy = "balanced",
+        threads: int = 0,
+        open_surfaces: npt.ArrayLike = (),
+        progress: Progress | None = None,
+    ) -> VisibleSectors:
+        """Find which sectors a segment from each sector can enter, by the rules of sight, walls only.
+
+        A pair that is not visible is certain, whatever shape the sectors have; one that is visible may not be.
+        `fast` floods through portals that face each other, `balanced` clips along each chain of portals in float64
+        with a bound of the rounding, `exact` does that with 106 bits. A segment that slips past the edge of a sector
+        by a gap between surfaces stays, by those rules, in the last sector that it entered, and counts as that
+        sector's wherever it goes.
+
+        `open_surfaces` are indices of surfaces whose adjoins may come to be see-through and count so; they lead to
+        the sector behind them, if there is one. threads 0 means one a core; the answer is the same for any number.
+        Raises ValueError naming a surface that does not exist, and what `progress` raises.
+        """
+        leads_to = self._leads_to.copy()
+        chosen = _integers(open_surfaces).reshape(-1)
+        wrong = chosen[(chosen < 0) | (chosen >= len(leads_to))]
+        if len(wrong):
+            raise ValueError(f"surface {wrong[0]} is out of bounds: there are {len(leads_to)}")
+        leads_to[chosen] = self._behind[chosen]
+        rows, portals, cut_short = native_visibility(self._viewer, leads_to, accuracy, threads, progress)
+        return VisibleSectors(rows.reshape(len(self._known), -1), portals, cut_short)
 
     def doubts(self, origins: npt.ArrayLike, sectors: npt.ArrayLike, targets: npt.ArrayLike) -> tuple[int, int]:
         """Count the sectors, and the whole queries, that `balanced` must search completely: for benchmarks."""
@@ -229,17 +266,17 @@ def mesh_arrays(level: Level) -> tuple[Float64, Int32, Int32, Int32, Int32, Int3
         np.where(np.isfinite(level.vertices), level.vertices, 0).astype(np.float64).ravel(),
         np.concatenate([[0], np.cumsum(corners)]).astype(np.int32),
         np.ascontiguousarray(surfaces.corner_vertex[keep], np.int32),
-        _leads_to(level),
+        _sector_behind(level, ADJOIN_VISIBLE),
         np.where(sound, sectors.first_surface, 0).astype(np.int32),
         np.where(sound, sectors.surface_count, 0).astype(np.int32),
     )
 
 
-def _leads_to(level: Level) -> Int32:
-    """The sector that each surface shows: through a visible adjoin, into a sound sector; else BLOCKS."""
+def _sector_behind(level: Level, flags: int) -> Int32:
+    """The sound sector behind each surface whose adjoin has these flags; else BLOCKS."""
     adjoins, sound = level.document.adjoins, level.sound_sectors
     behind = level.adjoin_sector
-    shows = (behind >= 0) & ((adjoins.flags & ADJOIN_VISIBLE) != 0)
+    shows = (behind >= 0) & ((adjoins.flags & flags) == flags)
     shows[shows] &= sound[behind[shows]]
     by_adjoin = np.append(np.where(shows, behind, BLOCKS), BLOCKS).astype(np.int32)
     used = level.document.surfaces.adjoin

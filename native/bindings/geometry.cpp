@@ -13,6 +13,7 @@ NB_MODULE(_native_geometry, m) {
     jk::open_sight(m);
     jk::open_drop(m);
     jk::open_soundness(m);
+    jk::open_visibility(m);
     m.def(
         "sector_convexity",
         [](jk::Array<double> positions, jk::Array<std::int32_t> surface_start, jk::Array<std::int32_t> surface_vertex,

@@ -1,68 +1,57 @@
-// Numbers as sums of two doubles, for quotients that are rounded once.
-//
-// Sums and products of two parts have a relative error below 2^-102 (Joldes, Muller, Popescu, "Tight and rigorous
-// error bounds for basic building blocks of double-word arithmetic", 2017: 3 u^2 for the accurate sum, 5 u^2 for the
-// product, u = 2^-53), as long as nothing over- or underflows.
+// Numbers of 106 bits: the unevaluated sum of two doubles (Dekker 1971; the algorithms are those of Shewchuk 1997).
 #pragma once
 
 #include <cmath>
 
 namespace jk {
 
+// Each operation is off by 2^-100 of its result at most, as long as nothing over- or underflows.
 struct DoubleDouble {
-    double high, low;
+    double high = 0, low = 0;
 
-    // For a sum of up to six products of three exact differences: its error at most, as a part of the sum of the
-    // absolute products of the rounded differences. Nine operations, 9 * 2^-102, and room for the bound's own rounding.
-    static constexpr double kProducts = 0x1p-97;
+    DoubleDouble() = default;
+    DoubleDouble(double x) : high(x) {}
+    DoubleDouble(double h, double l) : high(h + l), low(l - (high - h)) {}
 
-    DoubleDouble(double high_part, double low_part, int) : high(high_part), low(low_part) {}
-
-    // The exact difference of two doubles.
-    DoubleDouble(double a, double b) {
-        high = a - b;
-        const double part = a - high;
-        low = (a - (high + part)) + (part - b);
-    }
-
-    friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
-        const double product = a.high * b.high, error = std::fma(a.high, b.high, -product);
-        return fast_sum(product, error + (a.high * b.low + a.low * b.high));
-    }
+    explicit operator double() const { return high; }
+    DoubleDouble operator-() const { return {-high, -low}; }
 
     friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
         const DoubleDouble s = sum(a.high, b.high), t = sum(a.low, b.low);
-        const DoubleDouble v = fast_sum(s.high, s.low + t.high);
-        return fast_sum(v.high, t.low + v.low);
+        const DoubleDouble u(s.high, s.low + t.high);
+        return {u.high, u.low + t.low};
+    }
+    friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
+    friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+        const double p = a.high * b.high;
+        return {p, std::fma(a.high, b.high, -p) + (a.high * b.low + a.low * b.high)};
+    }
+    friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+        const double q = a.high / b.high;
+        const DoubleDouble left = a - b * q;
+        const double r = left.high / b.high;
+        return DoubleDouble(q, r) + (left - b * r).high / b.high;
+    }
+    friend bool operator<(const DoubleDouble& a, const DoubleDouble& b) {
+        return a.high < b.high || (a.high == b.high && a.low < b.low);
+    }
+    friend bool operator>(const DoubleDouble& a, const DoubleDouble& b) { return b < a; }
+    friend bool operator<=(const DoubleDouble& a, const DoubleDouble& b) { return !(b < a); }
+    friend bool operator>=(const DoubleDouble& a, const DoubleDouble& b) { return !(a < b); }
+
+    friend DoubleDouble sqrt(const DoubleDouble& a) {
+        if (!(a.high > 0)) return 0;
+        const double root = std::sqrt(a.high);
+        return DoubleDouble(root) + (a - DoubleDouble(root) * root) / (2 * root);
     }
 
-    friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
-        return a + DoubleDouble(-b.high, -b.low, 0);
-    }
-
+private:
     static DoubleDouble sum(double a, double b) {
-        const double high = a + b, part = high - a;
-        return {high, (a - (high - part)) + (b - part), 0};
-    }
-
-    // For |a| >= |b|, or a = 0.
-    static DoubleDouble fast_sum(double a, double b) {
-        const double high = a + b;
-        return {high, b - (high - a), 0};
+        const double s = a + b, part = s - a;
+        DoubleDouble out;
+        out.high = s, out.low = (a - (s - part)) + (b - part);
+        return out;
     }
 };
-
-// The double nearest to a / b, both positive and known to within their errors; not a number where these leave a doubt.
-inline double quotient(const DoubleDouble& a, double a_error, const DoubleDouble& b, double b_error) {
-    const double rough = a.high / b.high;
-    const double product = rough * b.high, error = std::fma(rough, b.high, -product);
-    const double rest = ((a.high - product) - error + (a.low - rough * b.low)) / b.high;
-    // The rest has a relative error below 2^-49 and is below 2^-51 of the whole.
-    const DoubleDouble whole = DoubleDouble::fast_sum(rough, rest);
-    const double doubt = 2 * ((a_error + whole.high * b_error) / b.high + 0x1p-98 * whole.high);
-    const bool sure = b.high > 4 * b_error && whole.high > 0x1p-800 && whole.high + (whole.low + doubt) == whole.high &&
-                      whole.high + (whole.low - doubt) == whole.high;
-    return sure ? whole.high : std::nan("");
-}
 
 }  // namespace jk

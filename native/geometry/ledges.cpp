@@ -218,6 +218,7 @@ private:
             const auto f = static_cast<std::size_t>(surface);
             const Index first = mesh_.surface_start[f], end = mesh_.surface_start[f + 1];
             for (Index c = first; c < end; ++c) breaks_of_side(vertex_at(c), vertex_at(c + 1 < end ? c + 1 : first));
+            for (Index c = first + 2; c + 1 < end; ++c) breaks_of_side(vertex_at(first), vertex_at(c));
         }
     }
 

@@ -68,18 +68,36 @@ Depth bounded(Index index, const Triangle& t, const Volume& above) {
     return depth;
 }
 
-// The nearest double of a depth, or not a number where these digits leave a doubt.
+// The error of a sum of up to six products of three exact differences, as a part of the sum of the absolute products of
+// their high parts: nine operations of DoubleDouble, and room for the bound's own rounding.
+constexpr double kProducts = 0x1p-95;
+
+// The double nearest to a / b, both positive and known to within their errors; not a number where these leave a doubt.
+double quotient(const DoubleDouble& a, double a_error, const DoubleDouble& b, double b_error) {
+    const double rough = a.high / b.high;
+    const double product = rough * b.high, error = std::fma(rough, b.high, -product);
+    // Off by 2^-49 of itself at most, and below 2^-51 of the whole.
+    const double rest = ((a.high - product) - error + (a.low - rough * b.low)) / b.high;
+    const DoubleDouble whole(rough, rest);
+    const double doubt = 2 * ((a_error + whole.high * b_error) / b.high + 0x1p-98 * whole.high);
+    const bool sure = b.high > 4 * b_error && whole.high > 0x1p-800 &&
+                      whole.high + (whole.low + doubt) == whole.high && whole.high + (whole.low - doubt) == whole.high;
+    return sure ? whole.high : std::nan("");
+}
+
+// The nearest double of a depth, or not a number where 106 bits leave a doubt.
 double nearest_by_bounds(const Triangle& t, const double* p) {
-    const DoubleDouble ux(t.b[0], t.a[0]), uy(t.b[1], t.a[1]), uz(t.b[2], t.a[2]);
-    const DoubleDouble vx(t.c[0], t.a[0]), vy(t.c[1], t.a[1]), vz(t.c[2], t.a[2]);
-    const DoubleDouble wx(p[0], t.a[0]), wy(p[1], t.a[1]), wz(p[2], t.a[2]);
+    const auto difference = [](double a, double b) { return DoubleDouble(a) - DoubleDouble(b); };  // exact
+    const DoubleDouble ux = difference(t.b[0], t.a[0]), uy = difference(t.b[1], t.a[1]), uz = difference(t.b[2], t.a[2]);
+    const DoubleDouble vx = difference(t.c[0], t.a[0]), vy = difference(t.c[1], t.a[1]), vz = difference(t.c[2], t.a[2]);
+    const DoubleDouble wx = difference(p[0], t.a[0]), wy = difference(p[1], t.a[1]), wz = difference(p[2], t.a[2]);
     const DoubleDouble upright = ux * vy - uy * vx;
     const DoubleDouble above = (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + upright * wz;
     const double normal = std::abs(ux.high * vy.high) + std::abs(uy.high * vx.high);
     const double sum = (std::abs(uy.high * vz.high) + std::abs(uz.high * vy.high)) * std::abs(wx.high) +
                        (std::abs(uz.high * vx.high) + std::abs(ux.high * vz.high)) * std::abs(wy.high) +
                        normal * std::abs(wz.high);
-    return quotient(above, DoubleDouble::kProducts * sum, upright, DoubleDouble::kProducts * normal);
+    return quotient(above, kProducts * sum, upright, kProducts * normal);
 }
 
 }  // namespace

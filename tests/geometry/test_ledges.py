@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from benchmarks.ledge_disagreement import GAIT, compare
+from benchmarks.ledge_tiers import differing
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
 from jktools.engine.ground import Tread
@@ -21,8 +22,10 @@ from jktools.facts import LevelFacts
 from jktools.facts.bodies import Walker
 from jktools.facts.ledges import Kind, Ledges
 from jktools.geometry.components import components
-from jktools.geometry.ledges import EdgeWalker
+from jktools.geometry.exact_ledges import ExactLedges
+from jktools.geometry.ledges import BEYOND, EdgeWalker
 from jktools.model import Level
+from tests.support import terraces as support
 from tests.support.levels import CORPUS, corpus_files, level_of, two_rooms
 from tests.support.terraces import rounded, terraces
 
@@ -86,7 +89,7 @@ def test_a_pit_is_a_fall_where_the_simulated_body_lets_go(insert: float, engine:
 
 
 def test_the_profiles_differ_between_their_limits() -> None:
-    """Insert offset 0.06: the changeover was read as 0.13 to 0.135, the low end by one profile, the high by the other."""
+    """Insert offset 0.06: the changeover was read as 0.13 to 0.135; each profile has one end of it."""
     found = across(pit(0.1325), walker(insert_offset_z=0.06))
     assert [(k, other) for sector, k, other, _ in found if sector != 1] == [(Kind.FALL, Kind.SEAMLESS)] * 2
 
@@ -151,14 +154,9 @@ def test_far_from_the_origin_the_verdict_is_the_same(shift: float) -> None:
 
 
 def _lifted(treads: tuple[Tread, ...], by: float) -> Level:
-    from tests.support import terraces as support
-
-    top = support.TOP
-    try:
-        support.TOP = top + by
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(support, "TOP", support.TOP + by)
         return terraces(treads)
-    finally:
-        support.TOP = top
 
 
 def test_edges_are_asked_about_by_floor_and_corner() -> None:
@@ -247,3 +245,25 @@ def test_bodies_differ_by_what_floors_feel() -> None:
     found = LevelFacts(level_of(two_rooms("World templates 7", *templates))).bodies
     assert [body.names for body in found] == [("walkplayer",), ("guard", "twin"), ("giant",)]
     assert isinstance(found[0].body, Body)
+
+
+@pytest.mark.skipif(not CORPUS.exists(), reason="the corpus is not at hand")
+def test_balanced_says_what_exact_says() -> None:
+    """Apart from pieces of edges shorter than the way looked at beyond them."""
+    compared = 0.0
+    for name, level in corpus_levels():
+        edges = EdgeWalker(level)
+        if len(edges.surface) > 100:
+            continue
+        balanced, exact = edges.beyond(GAIT), ExactLedges(level, edges).beyond(GAIT)
+        assert [piece for piece in differing(edges, balanced, exact) if piece > BEYOND] == [], name
+        compared += len(exact.edge)
+    assert compared > 200
+
+
+def test_exact_measures_pits_and_slopes() -> None:
+    level = level_of(two_rooms(*SLOPE))
+    found = LevelFacts(level).ledges(PLAYER, accuracy="exact")
+    rows = np.flatnonzero((found.surface == 0) & (found.corner == 2))
+    assert [Kind(k) for k in found.kind[rows]] == [Kind.FALL, Kind.SEAMLESS, Kind.SEAMLESS]
+    assert found.drop_start[rows[0]] == float(np.float32(0.4))

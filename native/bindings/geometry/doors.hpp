@@ -9,5 +9,6 @@ void open_ledges(nanobind::module_& m);
 void open_drop(nanobind::module_& m);
 void open_sight(nanobind::module_& m);
 void open_soundness(nanobind::module_& m);
+void open_visibility(nanobind::module_& m);
 
 }  // namespace jk

@@ -4,7 +4,7 @@
 #include "../arrays.hpp"
 #include "doors.hpp"
 #include "geometry/ground.hpp"
-#include "tier.hpp"
+#include "tiers.hpp"
 
 namespace jk {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "../arrays.hpp"
 #include "doors.hpp"
-#include "tier.hpp"
+#include "tiers.hpp"
 
 namespace jk {
 namespace {

@@ -1,4 +1,4 @@
-// The tiers by their names.
+// The names of the tiers.
 #pragma once
 
 #include <stdexcept>
