@@ -2,8 +2,8 @@
 
 Segments between random points of every pair of sectors are asked of sight at `balanced`, which is exact. One that
 starts in A and ends, by the rules of sight, in a sector that is not in A's set is missed: the exit status is 1. A
-segment may also slip through a gap between surfaces, and then reaches points of sectors that it never entered: these are
-counted apart (sight follows the surfaces as they are written, and so does visibility).
+segment may also slip through a gap between surfaces, and then reaches points of sectors that it never entered: these
+are counted apart (sight follows the surfaces as they are written, and so does visibility).
 """
 
 from __future__ import annotations
@@ -16,12 +16,15 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from benchmarks.sight_queries import levels
+from benchmarks.sight_queries import levels, through_edges
 from jktools.geometry.mesh import SectorMesh
 from jktools.model import Level
 
 POOL = 1024
 """Points of each sector that segments are drawn from."""
+
+EDGES = 20_000
+"""Segments through edges and vertices, a level."""
 
 Float64 = npt.NDArray[np.float64]
 Bool = npt.NDArray[np.bool_]
@@ -81,6 +84,22 @@ def sample(level: Level, visible: Bool, each: int, rng: np.random.Generator, eve
     return Sampled(seen, segments, missed, slipped)
 
 
+def missed_through_edges(level: Level, visible: Bool, count: int, rng: np.random.Generator) -> int:
+    """Count segments through (or close by) edges and vertices that enter a sector which visibility denies.
+
+    Of those that see a point of a denied sector alone; the sectors of their whole way are looked at.
+    """
+    mesh = SectorMesh.from_level(level)
+    queries = through_edges(level, count, rng)
+    found = mesh.sight(*queries).visible
+    there = mesh.locate(queries.targets)
+    missed = 0
+    for i in np.flatnonzero(found & (there >= 0) & ~visible[queries.sectors, there]).tolist():
+        steps = mesh.explain(int(queries.sectors[i]), queries.origins[i], queries.targets[i]).steps
+        missed += not all(visible[queries.sectors[i], step.sector] for step in steps)
+    return missed
+
+
 def main() -> None:
     """The command line."""
     arguments = argparse.ArgumentParser(description=__doc__)
@@ -98,10 +117,12 @@ def main() -> None:
         start = time.perf_counter()
         visible = SectorMesh.from_level(level).visibility(options.accuracy)
         found = sample(level, visible, options.each, rng, every_pair=not options.denied)
-        missed += found.missed
+        edges = missed_through_edges(level, visible, EDGES, rng)
+        missed += found.missed + edges
         pairs = "" if options.denied else f", {found.seen.sum() / visible.sum():.1%} of the visible pairs seen"
         print(
-            f"{name}: {found.segments:,} segments, {found.missed} missed, {found.slipped} slipped through a gap{pairs}"
+            f"{name}: {found.segments:,} segments, {found.missed} missed, {found.slipped} slipped through a gap{pairs},"
+            f" {edges} of {EDGES:,} missed through edges"
             f" ({time.perf_counter() - start:.1f} s)",
             flush=True,
         )

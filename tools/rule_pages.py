@@ -16,6 +16,8 @@ from jktools.linter import Rule, rules
 from jktools.linter.rule import ANY_DOCUMENT, options_of
 from jktools.session import Settings, check, discover
 from jktools.session.levels import SCRIPT_EXTENSION
+from jktools.syntax.assets.asset import Asset
+from jktools.syntax.assets.reading import ASSET_EXTENSIONS
 from jktools.syntax.cog import Script
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -27,20 +29,23 @@ PRECISION = "docs/precision.toml"
 def count_corpus(into: Path) -> Path:
     """Count every rule's findings over the corpus, those that are off included."""
     batch = check([str(CORPUS)], Settings(select=tuple(r.code.id for r in rules())))
+    levels = len(discover(str(CORPUS)))
     scripts = len(discover(str(CORPUS), extensions=(SCRIPT_EXTENSION,)))
-    levels: dict[str, set[str]] = defaultdict(set)
+    assets = len(discover(str(CORPUS), extensions=ASSET_EXTENSIONS))
+    files: dict[str, set[str]] = defaultdict(set)
     findings: dict[str, int] = defaultdict(int)
     for diagnostic in batch.diagnostics:
         findings[diagnostic.code.id] += 1
-        levels[diagnostic.code.id].add(diagnostic.path)
+        files[diagnostic.code.id].add(diagnostic.path)
     lines = [
         "# Made by `make counts` from the corpus of real mods.",
-        f"levels = {batch.files - scripts}",
+        f"levels = {levels}",
         f"scripts = {scripts}",
+        f"assets = {assets}",
     ]
     for rule in rules():
         code = rule.code.id
-        lines.append(f"{code} = {{ findings = {findings[code]}, files = {len(levels[code])} }}")
+        lines.append(f"{code} = {{ findings = {findings[code]}, files = {len(files[code])} }}")
     target = into / COUNTS
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text("\n".join(lines) + "\n")
@@ -68,9 +73,11 @@ _PLACE = {"levels": "level", "scripts": "script"}
 
 def _looked_at(rule: Rule, counts: dict[str, Any]) -> tuple[str, int]:
     """What a rule looks at, in words, and how many of them were counted."""
-    levels, scripts = int(counts["levels"]), int(counts["scripts"])
+    levels, scripts, assets = (int(counts.get(kind, 0)) for kind in ("levels", "scripts", "assets"))
     if rule.looks_at == ANY_DOCUMENT:
-        return "levels and scripts", levels + scripts
+        return "levels, scripts and asset files", levels + scripts + assets
+    if all(issubclass(kind, Asset) for kind in rule.looks_at):
+        return "asset files", assets
     return ("scripts", scripts) if rule.looks_at == (Script,) else ("levels", levels)
 
 
@@ -82,8 +89,8 @@ def _index(counts: dict[str, Any]) -> Iterator[str]:
     yield "# Rules"
     yield ""
     yield (
-        f"Findings are counted over {counts.get('levels', 0)} real levels and {counts.get('scripts', 0)} real scripts; "
-        "rules that are off run when selected."
+        f"Findings are counted over {counts.get('levels', 0)} real levels, {counts.get('scripts', 0)} real scripts and "
+        f"{counts.get('assets', 0)} real asset files; rules that are off run when selected."
     )
     yield ""
     yield "| code | name | severity | findings | in files | reports |"

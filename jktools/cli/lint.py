@@ -34,6 +34,7 @@ from jktools.session.write import write_report
     default=None,
     help="The least severity that makes the exit status 1. [default: warning]",
 )
+@click.option("--stats", is_flag=True, help="Count the files that are named: found, missing, unused.")
 @click.option("--color", type=click.Choice(["auto", "always", "never"]), default="auto", show_default=True)
 @common
 def command(
@@ -43,6 +44,7 @@ def command(
     select: tuple[str, ...],
     ignore: tuple[str, ...],
     fail_on: FailOn | None,
+    stats: bool,
     color: str,
     game: Game | None,
     base: tuple[str, ...],
@@ -61,12 +63,12 @@ def command(
         with progress("linting") as report:
             for group, found in configured(paths, config):
                 settings = overridden(found.settings, game, base, strict_grammar, _split(select), _split(ignore))
-                batch = check(group, settings, report)
+                batch = check(group, settings, report, stats=stats)
                 status = max(status, of_findings(batch.diagnostics, _threshold(fail_on or found.fail_on)))
                 whole = whole.joined(batch)
     except UnknownRuleError as error:
         raise click.UsageError(str(error)) from error
-    _write(whole, form, output, color)
+    _write(whole, form, output, color, stats)
     for message in whole.problems:
         problem(message)
     return max(status, Status.USAGE if whole.problems else Status.CLEAN)
@@ -81,13 +83,15 @@ def _split(words: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(part.strip() for word in words for part in word.split(",") if part.strip())
 
 
-def _write(batch: Batch, form: str, output: Path | None, color: str) -> None:
+def _write(batch: Batch, form: str, output: Path | None, color: str, stats: bool) -> None:
+    rows = [(c.kind, c.own, c.base, c.missing, c.unused) for c in batch.stats] if stats else None
     if form == "json":
-        report = json_format.findings(batch.diagnostics, batch.files)
+        report = json_format.findings(batch.diagnostics, batch.files, rows)
     else:
         colour = output is None and _wants_colour(color)
         blocks = [*text_format.render(batch.diagnostics, colour=colour)]
-        report = "\n".join([*blocks, text_format.summary(batch.diagnostics, batch.files) + "\n"])
+        tables = [] if rows is None else [text_format.stats(rows) + "\n"]
+        report = "\n".join([*blocks, *tables, text_format.summary(batch.diagnostics, batch.files) + "\n"])
     if output is None:
         click.echo(report, nl=False, color=True)
     else:

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.compiler.columns import RESOURCES
-from jktools.compiler.cut import Omission, choose
+from jktools.compiler.cut import Omission, choose, choose_names
 from jktools.compiler.settings import CompileSettings
 from jktools.facts import LevelFacts
 from jktools.geometry import compressed
@@ -56,10 +56,11 @@ class Strings:
         return np.array([self._index.setdefault(text, len(self._index)) for text in texts], np.uint32)
 
 
-def resources(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns:
-    """The plain lists."""
-    level = facts.level
-    return {key: strings.indices(level.names(key)) for key in RESOURCES}
+def resources(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Cut:
+    """The plain lists, without the names that nothing reaches."""
+    chosen = choose_names(facts, cut_anyway=settings.cut_anyway)
+    columns = {key: strings.indices(chosen.kept[key]) for key in RESOURCES}
+    return Cut(columns, chosen.note, chosen.omissions)
 
 
 def geometry(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns:

@@ -16,8 +16,15 @@ VERSION = 1
 """Of the shape of this output; grows when a reader would have to change."""
 
 
-def findings(diagnostics: Sequence[Diagnostic], files: int) -> str:
-    """The report of a lint run; its shape is docs/lint.schema.json."""
+def findings(
+    diagnostics: Sequence[Diagnostic], files: int, stats: Sequence[tuple[str, int, int, int, int]] | None = None
+) -> str:
+    """The report of a lint run; its shape is docs/lint.schema.json.
+
+    `stats` has a row a kind of file: its name, then how many are the mod's own, in a base, missing and unused.
+    """
+    names = ("kind", "own", "base", "missing", "unused")
+    files_named = {} if stats is None else {"stats": [dict(zip(names, row, strict=True)) for row in stats]}
     return dump(
         {
             "version": VERSION,
@@ -27,6 +34,7 @@ def findings(diagnostics: Sequence[Diagnostic], files: int) -> str:
                 **{str(s): sum(d.severity is s for d in diagnostics) for s in reversed(Severity)},
             },
             "diagnostics": [diagnostic_object(d) for d in diagnostics],
+            **files_named,
         }
     )
 

@@ -7,6 +7,8 @@ from typing import Any
 
 from jktools import __version__
 from jktools.emit.json import VERSION, dump
+from jktools.facts import LevelFacts
+from jktools.facts.reachability import Reach
 from jktools.model import Level, Template, Thing
 from jktools.model.templates import Ignored, Origin, Reason, Resolved, Setting
 from jktools.model.wanted import wanted_value
@@ -16,15 +18,23 @@ from jktools.syntax.template.values import ValueKind
 MOST_FRAMES = 3
 """Frames and debris written out in the text; JSON has them all."""
 
+MOST_ANCESTORS = 20
+"""Likewise."""
+
 
 def text(held: Resolved) -> Iterator[str]:
     """Lines for a terminal."""
     yield f"{title(held.owner)} of {held.owner.level.path}"
-    yield "  " + " <- ".join([*(_short(each.owner) for each in held.chain), _base(held)])
+    chain = [_short(each.owner) for each in held.chain]
+    if len(chain) > MOST_ANCESTORS:
+        chain = [*chain[: MOST_ANCESTORS // 2], f"... ({len(chain)})", *chain[-MOST_ANCESTORS // 2 :]]
+    yield "  " + " <- ".join([*chain, _base(held)])
     if held.dropped is not None:
         yield f"  the engine does not keep it: {held.dropped}"
     if held.leaves_level:
         yield "  a template above it is not in the level; values that the game's own may give are missing here"
+    if held.owner.level.has_geometry and isinstance(held.owner, Template) and held.dropped is None:
+        yield f"  {_reached(held)}"
     yield ""
     rows = [_row(key, setting, held) for key, setting in _in_order(held)]
     widths = [max((len(row[i]) for row in rows), default=0) for i in range(4)]
@@ -45,6 +55,19 @@ def text(held: Resolved) -> Iterator[str]:
             for key, s in parked.values.items()
         ],
     )
+
+
+def _reached(held: Resolved) -> str:
+    """Whether the level can reach a template, and the first way there."""
+    reached = LevelFacts(held.owner.level).reach
+    way = _way(held, reached)
+    if way is not None:
+        return f"reached: {way}"
+    return "nothing reaches it" if reached.is_complete else "nothing is known to reach it; not all COGs are at hand"
+
+
+def _way(held: Resolved, reached: Reach) -> str | None:
+    return reached.templates.get(str(held.owner.name).lower()) if reached.has(held) else None
 
 
 def listing(level: Level) -> Iterator[str]:
@@ -73,6 +96,7 @@ def json(held: Resolved) -> str:
             "has_ai": held.has_ai,
             "dropped": held.dropped,
             "leaves_level": held.leaves_level,
+            "reached": _way(held, LevelFacts(held.owner.level).reach) if isinstance(held.owner, Template) else None,
             "chain": [{**_owner(each.owner), "path": each.owner.level.path} for each in held.chain],
             "parameters": [
                 {

@@ -36,6 +36,12 @@ def summary(diagnostics: Sequence[Diagnostic], files: int) -> str:
     return f"{', '.join(parts)} in {where}" if parts else f"no findings in {where}"
 
 
+def stats(rows: Sequence[tuple[str, int, int, int, int]]) -> str:
+    """A table of the files that are named: kind, with the mod, in a base, missing, unused."""
+    lines = [("kind", "own", "base", "missing", "unused"), *((r[0], *map(str, r[1:])) for r in rows)]
+    return "\n".join(f"{kind:<12}" + "".join(f"{cell:>9}" for cell in cells) for kind, *cells in lines)
+
+
 def _block(diagnostic: Diagnostic, colour: bool) -> Iterator[str]:
     def styled(text: str, **style: object) -> str:
         return click.style(text, **style) if colour else text  # type: ignore[arg-type]

@@ -14,6 +14,7 @@ from jktools.facts.movers import Mover, movers
 from jktools.facts.openings import named_by_cogs
 from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
+from jktools.facts.references import FileReference, file_references
 from jktools.facts.script import ScriptFacts
 from jktools.facts.standing import Carriers
 from jktools.geometry import (
@@ -50,6 +51,11 @@ class LevelFacts:
         self._ledges: dict[tuple[Walker, Engine, str], Ledges] = {}
         self.vocabulary = vocabulary or Vocabulary(level.game)
         self._cels: dict[int, int | None] = {}
+
+    @cached_property
+    def file_references(self) -> tuple[FileReference, ...]:
+        """The files that the level names."""
+        return tuple(file_references(self.level))
 
     @cached_property
     def convexity(self) -> Convexity:

@@ -22,7 +22,7 @@ from jktools.model import Cog, Level
 from jktools.model.resources import Kind
 from jktools.model.templates import NONE, Resolved
 from jktools.source import InputError
-from jktools.syntax.assets.reading import ASSET_EXTENSIONS, read_asset
+from jktools.syntax.assets.reading import read_asset
 from jktools.syntax.cog.nodes import String
 from jktools.syntax.template.parameters import Refers
 
@@ -39,6 +39,10 @@ _FILES: Mapping[str, Kind] = MappingProxyType(
     }
 )  # fmt: skip
 """Kinds of file by the type of a script's symbol."""
+
+
+_NAMING = frozenset({Kind.MODEL, Kind.SPRITE, Kind.PUPPET, Kind.SOUND_CLASS, Kind.PARTICLES, Kind.AI_CLASS, Kind.ITEMS})
+"""Kinds of file that name others."""
 
 
 class Unread(NamedTuple):
@@ -58,6 +62,8 @@ class Reach:
     """By kind and lower-case name; missing files too."""
     unread: tuple[Unread, ...]
     """Scripts that may reach more than is known: while there is one, no template can be left out."""
+    missing: tuple[str, ...]
+    """Files that name further files and are not at hand: while there is one, no file can be left out."""
 
     @property
     def is_complete(self) -> bool:
@@ -81,6 +87,7 @@ def reach(level: Level, script_of: ScriptOf) -> Reach:
         MappingProxyType(search.templates),
         MappingProxyType({kind: MappingProxyType(names) for kind, names in search.files.items()}),
         tuple(search.unread),
+        tuple(search.missing),
     )
 
 
@@ -90,6 +97,7 @@ class _Search:
         self.templates: dict[str, str] = {}
         self.files: dict[Kind, dict[str, str]] = {kind: {} for kind in Kind}
         self.unread: list[Unread] = []
+        self.missing: list[str] = []
         self.scripts: dict[str, ScriptFacts | None] = {}
         self._pending: deque[Resolved | tuple[Kind, str]] = deque()
 
@@ -164,11 +172,13 @@ class _Search:
 
     def _file(self, kind: Kind, name: str) -> None:
         found = self.level.resources.find(kind, name)
-        if found is None or kind.extension not in ASSET_EXTENSIONS:
+        if kind not in _NAMING or found is None:
+            self.missing += [name] if kind in _NAMING else []
             return
         try:
             references = read_asset(self.level.resources.read(found), kind.extension, self.level.game).references
         except InputError:
+            self.missing.append(name)
             return
         for reference in references:
             named = Kind.of_extension(reference.extension)

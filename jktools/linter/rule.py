@@ -150,7 +150,7 @@ def rule(
 
 
 def reading_rule(
-    code: Code, *, since: str, looks_at: tuple[type[Document], ...] = (Level,)
+    code: Code, *, since: str, looks_at: tuple[type[Document], ...] = (Level,), on: bool = True
 ) -> Callable[[Callable[[], None]], Rule]:
     """Make a rule of what reading a document tells under a code; the function carries only the docs."""
 
@@ -159,7 +159,7 @@ def reading_rule(
             return (d for d in document.diagnostics if d.code == code)
 
         check.__doc__, check.__module__ = documented.__doc__, documented.__module__
-        return Rule(code, since, check, looks_at=looks_at)
+        return Rule(code, since, check, on=on, looks_at=looks_at)
 
     return make
 

@@ -181,6 +181,16 @@ class Level:
         return index
 
     @cached_property
+    def game_templates(self) -> frozenset[str]:
+        """Names of the templates of the game's static.jkl, in lower case; none where no base holds it."""
+        return frozenset() if self.static is None else frozenset(self.static.template_by_name)
+
+    @property
+    def nobody_defines(self) -> str:
+        """What a message says of a template that neither level nor static.jkl has; empty where that is not at hand."""
+        return "" if self.static is None else f"neither the level nor {self.static.path} defines one of that name"
+
+    @cached_property
     def resolved_templates(self) -> TemplateSet:
         """The templates with all that they inherit, as the engine holds them."""
         heading = self.document.templates.heading

@@ -12,8 +12,10 @@ from typing import TypeVar
 from jktools.source import InputError, Member, Source
 from jktools.source.container import canonical
 from jktools.source.roots import Root, home_of, open_roots
+from jktools.syntax.assets.asset import Asset
+from jktools.syntax.assets.material import Material
 from jktools.syntax.assets.model import Model
-from jktools.syntax.assets.threedo import read_model
+from jktools.syntax.assets.reading import ASSET_EXTENSIONS, read_asset
 
 MOST_CACHED = 2**26
 """Bytes of files whose contents are kept, as read or as parsed; parsed, they take a few times that."""
@@ -55,6 +57,19 @@ class Kind(enum.Enum):
         """The kind of a file by the extension of its name, without the dot."""
         return next((kind for kind in cls if kind.extension == extension.lower()), None)
 
+    @classmethod
+    def placed(cls, name: str) -> Kind | None:
+        """The kind of a file of a mod by its whole name, when it lies where the engine looks for its kind."""
+        folder, _, base = canonical(name).rpartition("/")
+        kind = cls.of_extension(base.rpartition(".")[2])
+        if kind is None or base != _ONLY.get(kind, base):
+            return None
+        return kind if any(not own or f"/{folder}".endswith(f"/{own}") for own in kind.folders) else None
+
+
+_ONLY = {Kind.ITEMS: "items.dat", Kind.EPISODE: "episode.jk"}
+"""Kinds of which the engine reads one file only."""
+
 
 @dataclass(frozen=True, slots=True)
 class Found:
@@ -89,8 +104,9 @@ class Library:
         self._bytes = 0
 
     def resources_of(self, member: Member) -> Resources:
-        """The files as the engine finds them for a level: those beside it, then the bases."""
-        home = home_of(member, Kind.LEVEL.folders[0])
+        """The files as the engine finds them for a level, or another file of a mod: those beside it, then the bases."""
+        kind = Kind.of_extension(member.extension) or Kind.LEVEL
+        home = home_of(member, kind.folders)
         home = self._homes.setdefault(home.path, home)
         while len(self._homes) > 1 and next(iter(self._homes)) != home.path:  # levels come pack by pack
             self._homes.popitem(last=False)
@@ -156,6 +172,10 @@ class Resources:
         member = self.roots[0].find(name) if self._loose and self.roots else None
         return None if member is None else Found(kind, name, member, True, "")
 
+    def in_base(self, kind: Kind, name: str) -> bool:
+        """Whether a base has a file of that name, which one beside the level then replaces."""
+        return any(root.find(f"{folder}/{name}") is not None for root in self.roots[1:] for folder in kind.folders)
+
     def own_files(self, kinds: Iterable[Kind] = tuple(Kind)) -> Iterator[tuple[Kind, Member]]:
         """The files that come with the level, kind by kind, those in the engine's folders alone."""
         for kind in kinds:
@@ -174,25 +194,35 @@ class Resources:
         self._library.keep(found.path, "source", len(source.data), source)
         return source
 
-    def model(self, name: str) -> Model | None:
-        """A model by its name, read; None when there is no such file or its bytes cannot be had.
+    def asset(self, kind: Kind, name: str) -> Asset | None:
+        """A file by its kind and name, read; None when there is none, its bytes cannot be had, or it is no asset.
 
-        What is wrong with it is in `Model.diagnostics`. The default model is not given: what the engine shows in place
-        of a model says nothing about the one that the base may hold.
+        What is wrong with it is in `Asset.diagnostics`. The default file is not given: what the engine takes in place
+        of a missing file says nothing about the one that the base may hold.
         """
-        found = self.find(Kind.MODEL, name)
-        if found is None:
+        found = self.find(kind, name)
+        if found is None or kind.extension not in ASSET_EXTENSIONS:
             return None
-        kept = self._library.recall(found.path, "model")
-        if isinstance(kept, Model):
+        kept = self._library.recall(found.path, "asset")
+        if isinstance(kept, Asset):
             return kept
         try:
             source = found.member.read()
         except InputError:
             return None
-        model = read_model(source)
-        self._library.keep(found.path, "model", len(source.data), model)
-        return model
+        asset = read_asset(source, kind.extension)
+        self._library.keep(found.path, "asset", len(source.data), asset)
+        return asset
+
+    def model(self, name: str) -> Model | None:
+        """A model by its name; see `asset`."""
+        model = self.asset(Kind.MODEL, name)
+        return model if isinstance(model, Model) else None
+
+    def material(self, name: str) -> Material | None:
+        """A material by its name; see `asset`."""
+        material = self.asset(Kind.MATERIAL, name)
+        return material if isinstance(material, Material) else None
 
     @cached_property
     def static(self) -> Found | None:

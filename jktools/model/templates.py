@@ -266,12 +266,15 @@ class _Line:
         self.type = FREE if parent is None else parent.type
         self.move = STILL if parent is None else parent.move
         self.has_ai = parent is not None and parent.has_ai
+        self.patrol: dict[str, Setting] = {}
         self.parked: dict[Memory, Parked] = {} if parent is None else dict(parent.parked)
         self.ignored: list[Ignored] = []
         self.lost: list[Lost] = []
 
     def resolved(self, dropped: str | None, *, leaves_level: bool) -> Resolved:
         """What the line made."""
+        for key, setting in self.patrol.items():
+            self.values.setdefault(key, setting)
         return Resolved(
             self.owner, self.parent, MappingProxyType(self.values), self.type, self.move, self.has_ai,
             tuple(self.ignored), tuple(self.lost), self.parked, leaves_level, dropped,
@@ -416,25 +419,31 @@ class _Line:
     def _count_frames(self, key: str, use: Use, value: Value, text: str, origin: Origin) -> Reason | None:
         if use.scope is Scope.AI and self.owner.kind == "template":
             return Reason.BEFORE_BIRTH
-        if value == 0 or (key in self.values and self.values[key].use.scope is use.scope):
+        frames = self._frames(use)
+        if value == 0 or (key in frames and frames[key].use.scope is use.scope):
             return Reason.REJECTED
-        self.values[key] = Setting(value, text, use, (origin,))
+        frames[key] = Setting(value, text, use, (origin,))
         return None
+
+    def _frames(self, use: Use) -> dict[str, Setting]:
+        """Where frames go: a patrol lies in the AI, apart from a path."""
+        return self.patrol if use.scope is Scope.AI else self.values
 
     def _has_room(self, use: Use) -> bool:
         """Whether a path or patrol has room for another frame."""
-        count, frames = self.values.get("numframes"), self.values.get("frame")
+        count, frames = self._frames(use).get("numframes"), self._frames(use).get("frame")
         room = count.value if count is not None and count.use.scope is use.scope else 0
         held = frames.value if frames is not None and frames.use.scope is use.scope else ()
         return isinstance(room, int) and isinstance(held, tuple) and len(held) < min(room, MOST_FRAMES)
 
     def _add_frame(self, key: str, use: Use, value: Value, text: str, origin: Origin) -> Reason | None:
-        before = self.values.get(key)
+        held = self._frames(use)
+        before = held.get(key)
         if before is None or before.use.scope is not use.scope:
-            self.values[key] = Setting((value,), text, use, (origin,))
+            held[key] = Setting((value,), text, use, (origin,))
         else:
             frames = before.value if isinstance(before.value, tuple) else ()
-            self.values[key] = Setting((*frames, value), f"{before.text} {text}", use, (*before.origins, origin))
+            held[key] = Setting((*frames, value), f"{before.text} {text}", use, (*before.origins, origin))
         return None
 
     def _turn_on(self, key: str, bits: int, scope: Scope, origin: Origin) -> None:

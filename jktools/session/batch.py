@@ -12,19 +12,22 @@ from pathlib import Path, PurePosixPath
 
 from jktools.compiler import CompileError, CompileSettings, PassError, compilation
 from jktools.diagnostics import Diagnostic, Label
+from jktools.facts import AssetFacts
 from jktools.linter import Selection, lint, select
-from jktools.linter.rule import FILE_FAILED, facts_of
+from jktools.linter.rule import FILE_FAILED, Document, Facts, facts_of
 from jktools.model import Level
 from jktools.model.resources import Library
 from jktools.session.ignores import unused_ignores, with_settings
-from jktools.session.levels import LEVELS, SCRIPT_EXTENSION, discover, read_level
+from jktools.session.levels import LEVELS, SCRIPT_EXTENSION, discover, read_level, read_member_asset
 from jktools.session.scripts import bound_scripts, read_member_script
 from jktools.session.settings import Settings
+from jktools.session.usage import MISPLACED_FILE, UNUSED_FILE, KindCount, Usage, added
 from jktools.session.write import write_atomically
 from jktools.source import InputError, Member, Source
 from jktools.source.container import PACK_SEPARATOR
 from jktools.source.filenames import fault_of
-from jktools.syntax.cog import Script
+from jktools.syntax.assets.asset import Asset
+from jktools.syntax.assets.reading import ASSET_EXTENSIONS
 
 TRACEBACK_VARIABLE = "JKTOOLS_TRACEBACK"
 """Set in the environment, a bug shows its traceback and ends the run."""
@@ -47,11 +50,13 @@ class Batch:
     """Levels and scripts read."""
     problems: list[str] = field(default_factory=list)
     """Paths that could not be read, one sentence each."""
+    stats: list[KindCount] = field(default_factory=list)
+    """Files that are named, found, missing and unused, when they were asked for."""
 
     def joined(self, other: Batch) -> Batch:
         """This batch and another as one, in order."""
         found = sorted([*self.diagnostics, *other.diagnostics], key=lambda d: d.sort_key)
-        return Batch(found, self.files + other.files, [*self.problems, *other.problems])
+        return Batch(found, self.files + other.files, [*self.problems, *other.problems], added(self.stats, other.stats))
 
     def __iter__(self) -> Iterator[Diagnostic]:
         return iter(self.diagnostics)
@@ -60,18 +65,22 @@ class Batch:
         return len(self.diagnostics)
 
 
-def check(paths: Sequence[str], settings: Settings | None = None, progress: Progress = silent) -> Batch:
-    """Lint every level and script that the paths name, and the scripts that those levels bind, each once.
+def check(
+    paths: Sequence[str], settings: Settings | None = None, progress: Progress = silent, *, stats: bool = False
+) -> Batch:
+    """Lint every level, script and asset that the paths name, and the scripts that those levels bind, each once.
 
-    A path that cannot be read is told in `Batch.problems`, and the rest is linted all the same. Raises
-    UnknownRuleError when the settings name a rule that does not exist, InputError when a base cannot be opened.
+    A path that cannot be read is told in `Batch.problems`, and the rest is linted all the same; `stats` fills
+    `Batch.stats`. Raises UnknownRuleError when the settings name a rule that does not exist, InputError when a base
+    cannot be opened.
     """
     settings = settings or Settings()
     rules = select(Selection(settings.select, settings.ignore))
     library = Library(settings.base)
     batch = Batch()
-    members = _members(paths, batch.problems, (*LEVELS, SCRIPT_EXTENSION))
+    members = _members(paths, batch.problems, (*LEVELS, SCRIPT_EXTENSION, *sorted(ASSET_EXTENSIONS)))
     known = {_identity(member) for member in members}
+    usage = Usage() if stats or any(r.code in (UNUSED_FILE, MISPLACED_FILE) for r in rules) else None
     used: set[int] = set()
     seen: list[str] = []
     for done, member in enumerate(members):  # grows by the scripts that levels bind
@@ -90,15 +99,28 @@ def check(paths: Sequence[str], settings: Settings | None = None, progress: Prog
         members += bound
         known.update(map(_identity, bound))
         batch.files += 1
-        found = lint(document, rules, facts_of(document, settings.verbs), settings.options)
+        resources = document.resources if isinstance(document, Level) else library.resources_of(member)
+        if isinstance(document, Asset):
+            facts: Facts = AssetFacts(document, resources)
+        else:
+            facts = facts_of(document, settings.verbs)
+        if usage is not None:
+            usage.add(document, resources)
+        found = lint(document, rules, facts, settings.options)
         batch.diagnostics += with_settings(found, settings, used)
         seen.append(member.path)
+    if usage is not None:
+        chosen = {r.code for r in rules}
+        batch.diagnostics += with_settings([d for d in usage.findings() if d.code in chosen], settings, used)
+        batch.stats = usage.counts()
     batch.diagnostics += unused_ignores(settings, used, seen, [r.code.id for r in rules])
     batch.diagnostics.sort(key=lambda d: d.sort_key)
     return batch
 
 
-def _read(member: Member, settings: Settings, library: Library) -> Level | Script:
+def _read(member: Member, settings: Settings, library: Library) -> Document:
+    if member.extension in ASSET_EXTENSIONS:
+        return read_member_asset(member, settings)
     if member.extension == SCRIPT_EXTENSION:
         return read_member_script(member, settings)
     return read_level(member, settings, library)

@@ -8,10 +8,12 @@ from typing import Literal, get_args
 from jktools.compiler import CompileSettings, compile_level
 from jktools.geometry import SectorMesh
 from jktools.model import Level
-from jktools.model.resources import Library
+from jktools.model.resources import Kind, Library
 from jktools.session.settings import Game, Settings
 from jktools.source import PACK_EXTENSIONS, Container, Folder, InputError, Member, Target, Zip, enter, resolve
 from jktools.source.container import PACK_SEPARATOR
+from jktools.syntax.assets.asset import Asset
+from jktools.syntax.assets.reading import ASSET_EXTENSIONS, read_asset
 from jktools.syntax.jkl import read as read_jkl
 from jktools.syntax.jkl import read_library
 
@@ -32,8 +34,9 @@ ACCURACIES: tuple[Accuracy, ...] = get_args(Accuracy)
 def discover(typed: str, problems: list[str] | None = None, extensions: Collection[str] = LEVELS) -> list[Member]:
     """The levels that a path names, in the container's order; packs in folders and in zips are entered.
 
-    Files of other `extensions` are found the same way. A pack inside that cannot be opened is told in `problems`, one
-    sentence, and the rest is read; without `problems` it raises. Raises InputError when the path itself cannot be
+    Files of other `extensions` are found the same way, assets only in the folders where the engine looks for them. A
+    pack inside that cannot be opened is told in `problems`, one sentence, and the rest is read; without `problems` it
+    raises. Raises InputError when the path itself cannot be
     opened or holds no such file.
     """
     inside: list[str] = []
@@ -41,7 +44,7 @@ def discover(typed: str, problems: list[str] | None = None, extensions: Collecti
     if problems is None and inside:
         raise InputError(inside[0])
     if not levels and not inside:
-        kinds = ", ".join(_KINDS[extension] for extension in extensions)
+        kinds = ", ".join(_KINDS[extension] for extension in extensions if extension in _KINDS)
         raise InputError(f"nothing to read in {typed}: expected {kinds} or a folder or pack that holds one")
     if problems is not None:
         problems += inside
@@ -51,7 +54,9 @@ def discover(typed: str, problems: list[str] | None = None, extensions: Collecti
 def _files(target: Target, extensions: Collection[str], problems: list[str]) -> Iterator[Member]:
     for member in target.members if isinstance(target, Container) else [target]:
         if member.extension in extensions:
-            yield member
+            # In a folder of a site lie other files of the same names: those in the game's folders are the game's.
+            if member is target or member.extension not in ASSET_EXTENSIONS or Kind.placed(member.name):
+                yield member
         # The game opens no pack inside a GOB; by its path one can be read all the same.
         elif member.extension in PACK_EXTENSIONS and isinstance(target, (Folder, Zip)):
             try:
@@ -79,6 +84,11 @@ def read_level(member: Member, settings: Settings, library: Library | None = Non
     return Level(read(member.read(), game, strict_grammar=settings.strict_grammar), resources)
 
 
+def read_member_asset(member: Member, settings: Settings) -> Asset:
+    """Read one asset. Raises InputError when the file cannot be opened; its faults are in `diagnostics`."""
+    return read_asset(member.read(), member.extension, game_of(member, settings.game))
+
+
 def load(path: str, base: Sequence[str] = (), game: Game | None = None) -> Level:
     """Read the one level that a path names, as `masspack.gob!jkl/lagoon.jkl`.
 
@@ -101,10 +111,9 @@ def build(
 ) -> bytes:
     """Compile a level, as `jktools build` does, and give the bytes of the file.
 
-    What a file of this version holds is the same at every accuracy, so that only those that it keeps are taken:
-    `balanced` and `exact`. `cut_anyway` leaves out templates that nothing is known to reach, though COGs are missing
-    that might tell otherwise. Raises CompileError for a level that the engine would refuse, ValueError for another
-    accuracy.
+    `accuracy` is that of visibility; all else that the file holds is the same at either. `cut_anyway` leaves out
+    templates that nothing is known to reach, though COGs are missing that might tell otherwise. Raises CompileError
+    for a level that the engine would refuse, ValueError for another accuracy.
     """
     if accuracy not in ACCURACIES:
         raise ValueError(f"accuracy is {accuracy!r}, but can be {' or '.join(ACCURACIES)}")

@@ -92,23 +92,34 @@ class FolderRoot(Root):
         return self._listed[folder]
 
 
-def home_of(member: Member, folder: str) -> Root:
-    """The place that a file was taken from: what its name stands below once `folder` (as `jkl`) is taken off.
+def home_of(member: Member, folders: Sequence[str]) -> Root:
+    """The place that a file was taken from: what its name stands below once one of `folders` (as `jkl`) is taken off.
 
     A level `mod/jkl/x.jkl` belongs to `mod`; one that lies in no such folder belongs to the folder it lies in.
     """
-    above = PurePosixPath(member.name).parent
-    if above.name.lower() == folder:
-        above = above.parent
     if member.place is None and member.holder is not None:
-        prefix = above.as_posix()
-        return PackRoot(member.holder, "" if prefix == "." else prefix + "/")
-    place = member.place or Path(member.path)
+        above = PurePosixPath(member.name).parent
+        above = _up(above, _depth(above, folders))
+        return PackRoot(member.holder, "" if above == PurePosixPath(".") else f"{above.as_posix()}/")
+    on_disk = Path(member.path if member.place is None else member.place).absolute().parent
+    depth = _depth(PurePosixPath(on_disk.as_posix()), folders)
     shown = PurePosixPath(member.path).parent
-    on_disk = place.absolute().parent
-    if on_disk.name.lower() == folder:
-        return FolderRoot(shown.parent.as_posix() if shown.name else "..", on_disk.parent)
-    return FolderRoot(shown.as_posix(), on_disk)
+    own = min(depth, len(shown.parts))
+    return FolderRoot(
+        "/".join([".."] * (depth - own)) or _up(shown, own).as_posix(), on_disk.parents[depth - 1] if depth else on_disk
+    )
+
+
+def _depth(place: PurePosixPath, folders: Sequence[str]) -> int:
+    """How many steps up lead out of the longest of some folders, when a place is one of them."""
+    parts = tuple(part.lower() for part in place.parts)
+    return max(
+        (n for f in folders if (n := len(PurePosixPath(f).parts)) and parts[-n:] == PurePosixPath(f).parts), default=0
+    )
+
+
+def _up(place: PurePosixPath, steps: int) -> PurePosixPath:
+    return place.parents[steps - 1] if steps else place
 
 
 def open_roots(typed: str) -> list[Root]:

@@ -140,15 +140,21 @@ class Rows:
     def tails(self) -> tuple[Int32, list[str]]:
         """What a record repeats behind its fields: `start` cuts the words."""
         fast = _texts(self._source.text, self._fast.tail.reshape(-1, 2))
+        if not self.slow:
+            return self._fast.tail_start.astype(np.int32), fast
         own = len(self.record.fields)
-        start, words = merge(
-            self._fast.tail_start, np.array(fast, object), {r: self.fields[r][own:] for r in self.slow}
-        )
-        return start, [str(word) for word in words]
+        slow: dict[int, Sequence[Any]] = {row: [str(word) for word in self.fields[row][own:]] for row in self.slow}
+        start, words = merge(self._fast.tail_start, np.array(fast, object), slow)
+        return start, words.tolist()
 
     def _place(self, at: int, kinds: tuple[Kind, ...]) -> int:
         """Among fields of these kinds, the place of the field at `at`."""
         return sum(f.kind in kinds for f in self.record.fields[:at])
+
+
+def well_formed(record: Record, lines: LogicalLines, line: int) -> bool:
+    """Whether the native reader takes a line, that is, whether the grammar does to the letter; much cheaper."""
+    return bool(_read_fast(record, lines, np.array([line], np.intp))[0][0])
 
 
 def _texts(text: str, ranges: npt.NDArray[np.int64]) -> list[str]:

@@ -16,7 +16,7 @@ namespace {
 using vis::Bits;
 
 // Portals that are worked on together: each knows what was finished before its batch, whichever thread did it.
-constexpr std::size_t kBatch = 32;
+constexpr std::size_t kBatch = 8;
 
 // Shares rows out as they come free; the calling thread alone is watched.
 class Crew {

@@ -66,15 +66,33 @@ bool is_flat(const Portal& portal, const Fans::Triangle& t) {
                        [&](const Point& p) { return volume(t.a, t.b, t.c, coordinates(p)).sign == 0; });
 }
 
-// Whether two portals have the same points, or those of one are among the other's.
-bool are_twins(const Portal& p, const Portal& q, bool same) {
-    const auto& few = p.winding.points.size() < q.winding.points.size() ? p.winding.points : q.winding.points;
-    const auto& many = p.winding.points.size() < q.winding.points.size() ? q.winding.points : p.winding.points;
-    if (same && few.size() != many.size()) return false;
-    return std::all_of(few.begin(), few.end(), [&](const Point& x) {
-        return std::any_of(many.begin(), many.end(),
-                           [&](const Point& y) { return x.x == y.x && x.y == y.y && x.z == y.z; });
-    });
+bool same(const Point& x, const Point& y) { return x.x == y.x && x.y == y.y && x.z == y.z; }
+
+bool has(const Winding& winding, const Point& x) {
+    return std::any_of(winding.points.begin(), winding.points.end(), [&](const Point& y) { return same(x, y); });
+}
+
+// How alike two portals are: 3 when they have the same points, 2 when those of one are among the other's, 1 when they
+// share an edge's worth.
+int likeness(const Portal& p, const Portal& q) {
+    const auto& few = p.winding.points.size() < q.winding.points.size() ? p.winding : q.winding;
+    const auto& many = p.winding.points.size() < q.winding.points.size() ? q.winding : p.winding;
+    const auto shared = static_cast<std::size_t>(
+        std::count_if(few.points.begin(), few.points.end(), [&](const Point& x) { return has(many, x); }));
+    if (shared == few.points.size()) return few.points.size() == many.points.size() ? 3 : 2;
+    return shared > 1 ? 1 : 0;
+}
+
+// Puts a point into the outline's nearest edge.
+void insert(Winding& outline, const Point& x) {
+    std::size_t nearest = 0;
+    double least = kInfinity;
+    for (std::size_t i = 0; i < outline.points.size(); ++i) {
+        const Point &a = outline.points[i], &b = outline.points[(i + 1) % outline.points.size()];
+        const double detour = length(x - a) + length(b - x) - length(b - a);
+        if (detour < least) least = detour, nearest = i;
+    }
+    outline.points.insert(outline.points.begin() + static_cast<std::ptrdiff_t>(nearest) + 1, x);
 }
 
 bool touch(const Portal& p, const Portal& q) { return p.box.touches(q.box); }
@@ -128,9 +146,9 @@ Portals::Portals(const SectorMesh& mesh, const Fans& fans, std::span<const Index
     find_twins();
 }
 
-// A surface and its mirror have the same corners, or one has more of them along its edges. The portals of both then take
-// the points of the one that has more, planes that are each other's reverse, and the looser bounds, so that what can
-// be crossed one way can be crossed the other way.
+// A surface and its mirror have the same corners, or either has more of them along its edges. The portals of both then
+// take the points of both, planes that are each other's reverse, and the looser bounds, so that what can be crossed one
+// way can be crossed the other way.
 void Portals::find_twins() {
     std::map<std::pair<Index, Index>, std::vector<std::size_t>> between;
     for (std::size_t i = 0; i < portals.size(); ++i) {
@@ -140,10 +158,10 @@ void Portals::find_twins() {
     for (const auto& [ends, those] : between) {
         const auto back = between.find({ends.second, ends.first});
         if (ends.first > ends.second || back == between.end()) continue;
-        for (const bool same : {true, false})
+        for (const int like : {3, 2, 1})
             for (const std::size_t p : those)
                 for (const std::size_t q : back->second)
-                    if (p != q && portals[p].twin < 0 && portals[q].twin < 0 && are_twins(portals[p], portals[q], same))
+                    if (p != q && portals[p].twin < 0 && portals[q].twin < 0 && likeness(portals[p], portals[q]) == like)
                         pair_up(p, q);
     }
 }
@@ -152,6 +170,13 @@ void Portals::pair_up(std::size_t first, std::size_t second) {
     const bool larger = portals[first].winding.points.size() >= portals[second].winding.points.size();
     const std::size_t p = larger ? first : second, q = larger ? second : first;
     Portal &model = portals[p], &other = portals[q];
+    for (const Point& x : other.winding.points) {
+        if (has(model.winding, x)) continue;
+        insert(model.winding, x);
+        model.box.add(coordinates(x));
+        model.bend = std::max(model.bend, std::abs(model.height(x)) + precision.error);
+        model.flat = false;
+    }
     const double apart = length(model.normal + other.normal);
     model.lean = other.lean = std::max(model.lean, other.lean + apart * (1 + 0x1p-20) + 0x1p-50);
     other.normal = -1 * model.normal, other.corner = model.corner, other.bend = model.bend;

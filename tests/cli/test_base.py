@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
+import jsonschema
 import pytest
 
 from jktools.cli import main
 from jktools.session import load_config
-from tests.support.levels import TWO_ROOMS, gob_of
+from tests.support.levels import ROOT, TWO_ROOMS, gob_of, two_rooms
 from tests.support.packs import write
 
 
@@ -46,3 +48,26 @@ def test_a_configuration_names_bases_from_its_own_folder(here: Path, capsys: pyt
     assert main(["lint", "mod.gob"]) == 2
     assert "nowhere: no such file" in capsys.readouterr().err
     assert main(["lint", "mod.gob", "--base", "game"]) in (0, 1)
+
+
+TABLE = """\
+kind              own     base  missing   unused
+material            0        1        2        0
+sound               0        0        1        0
+colormap            0        0        1        0
+cog                 0        0        1        0
+"""
+
+
+def test_stats(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write(here / "game/res.gob", gob_of([("mat\\floor.mat", b"a")]))
+    level = two_rooms("World materials 3", "0: floor.mat 1 1", "1: WALL.mat 1 1", "2: gone.mat 1 1")
+    write(here / "mod.gob", gob_of([("jkl\\x.jkl", level.encode())]))
+    main(["lint", "mod.gob", "--stats", "--select", "JK201", "--base", "game"])
+    assert capsys.readouterr().out == TABLE + "\nno findings in 1 file\n"
+    main(["lint", "mod.gob", "--stats", "--select", "JK201", "--base", "game", "--format", "json"])
+    report = json.loads(capsys.readouterr().out)
+    jsonschema.validate(report, json.loads((ROOT / "docs/lint.schema.json").read_text()))
+    assert report["stats"][0] == {"kind": "material", "own": 0, "base": 1, "missing": 2, "unused": 0}
+    main(["lint", "mod.gob", "--format", "json"])
+    assert "stats" not in json.loads(capsys.readouterr().out)

@@ -182,7 +182,7 @@ def test_a_closed_pipe_is_silent(here: Path) -> None:
 def test_a_traceback_is_shown_only_on_request(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def fail(*_: object) -> None:
+    def fail(*_: object, **options: object) -> None:
         raise ZeroDivisionError("by nought")
 
     monkeypatch.setattr("jktools.cli.lint.check", fail)

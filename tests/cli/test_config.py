@@ -122,3 +122,18 @@ def test_each_path_has_the_configuration_above_it(capsys: pytest.CaptureFixture[
     assert [(d["code"], d["path"]) for d in found] == [
         ("JK201", "mod/broken.jkl"), ("JK301", "mod/broken.jkl"), ("JK201", "other/broken.jkl"),
     ]  # fmt: skip
+
+
+def test_own_verbs_are_read_and_checked() -> None:
+    configure("[cog.verbs]\nJackLogVel = { args = ['thing', 'flex'], returns = 'int' }\n")
+    verb = load_config(Path("jktools.toml")).settings.verbs["jacklogvel"]
+    assert ([a.kind for a in verb.args], verb.returns, verb.sleeps) == (["thing", "flex"], "int", False)
+    for wrong, told in (
+        ("logit = { args = ['thin'] }", "cog.verbs.logit"),
+        ("logit = { arguments = [] }", "arguments"),
+        ("logit = { returns = 'number' }", "cog.verbs.logit"),
+        ("'log it' = {}", '"log it" cannot be called by a script'),
+    ):
+        configure(f"[cog.verbs]\n{wrong}\n")
+        with pytest.raises(ConfigError, match=told):
+            load_config(Path("jktools.toml"))

@@ -84,6 +84,21 @@ def test_the_json_fits_its_schema(capsys: pytest.CaptureFixture[str], path: str,
         assert [i["reason"] for i in report["ignored"]] == ["not_for_this", "unresolved", "not_for_this"]
 
 
+def test_whether_the_level_reaches_it_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert "\n  reached: thing 2 (crate) is placed\n" in out(capsys, "rooms.jkl", "crate")
+    assert json.loads(out(capsys, "rooms.jkl", "crate", "--json"))["reached"] == "thing 2 (crate) is placed"
+    assert json.loads(out(capsys, "rooms.jkl", "2", "--json"))["reached"] is None
+
+
+def test_a_long_line_of_ancestors_is_cut(capsys: pytest.CaptureFixture[str], here: Path) -> None:
+    (here / "deep.tpl").write_text("t0 none type=cog\n" + "".join(f"t{i} t{i - 1}\n" for i in range(1, 3000)))
+    line = out(capsys, "deep.tpl", "t2999").splitlines()[1]
+    assert line.startswith("  t2999 <- t2998 <-")
+    assert " <- ... (3000) <- " in line
+    assert line.endswith(" <- t0 <- none")
+    assert len(line) < 300
+
+
 def test_without_a_name_the_templates_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
     assert out(capsys, "x.tpl").splitlines() == [
         "0  base  <- none  weapon", "1  bolt  <- base  weapon", "2  lamp  <- bolt  cog", "3  mine  <- bolt  explosion",

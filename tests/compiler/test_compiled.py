@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from jktools.compiler import CompiledFileError, CompiledLevel, CompileError, compile_level, open_compiled
 from jktools.compiler.columns import SECTIONS, STRINGS
+from jktools.facts import LevelFacts
 from tests.support.levels import ROOT, TWO_ROOMS, level_of, two_rooms
 
 COMPILED = compile_level(level_of(TWO_ROOMS))
@@ -145,7 +146,7 @@ def test_a_flipped_byte_is_refused_or_stays_in_bounds(data: st.DataObject) -> No
 
 def test_columns_and_schema_say_the_same() -> None:
     schema = (ROOT / "grammars/level.fbs").read_text()
-    types = {"float": "f4", "int": "i4", "uint": "u4", "ubyte": "u1", "double": "f8"}
+    types = {"float": "f4", "int": "i4", "uint": "u4", "double": "f8", "ubyte": "u1"}
     for section, columns in SECTIONS.items():
         body = re.search(rf"^table {section.capitalize()} {{(.*?)^}}", schema, re.MULTILINE | re.DOTALL)
         assert body
@@ -155,11 +156,28 @@ def test_columns_and_schema_say_the_same() -> None:
             column = columns[name]
             target = re.search(r'index_of: "([\w.]+)"', attributes)
             assert types[kind] == column.type, name
-            assert (target[1] if target else None) == (
-                column.index_of.removeprefix("geometry.") if column.index_of else None
-            ), name
+            assert (target[1] if target else None) == column.index_of, name
             assert ("or_none" in attributes) == column.or_none, name
     assert STRINGS == "strings"
+
+
+def test_visible_sectors_are_read_back() -> None:
+    compiled = CompiledLevel(COMPILED)
+    assert compiled.visible_sectors is not None
+    assert compiled.visible_sectors.tolist() == LevelFacts(level_of(TWO_ROOMS)).visibility.matrix.tolist()
+    assert compiled.visible_sectors.all()
+    assert compiled.visibility is not None
+    assert compiled.visibility.row.tolist() == [3, 3], "a byte a sector, a bit for each of the two rooms"
+
+
+def test_a_damaged_row_of_visible_sectors_is_refused() -> None:
+    compiled = CompiledLevel(COMPILED)
+    assert compiled.visibility is not None
+    row = compiled.visibility.row
+    data = bytearray(COMPILED)
+    data[row.__array_interface__["data"][0] - np.frombuffer(COMPILED, np.uint8).__array_interface__["data"][0]] = 0
+    with pytest.raises(CompiledFileError, match="the file is damaged; build it again"):
+        _ = CompiledLevel(bytes(data)).visible_sectors
 
 
 def test_a_file_of_format_1_0_is_read() -> None:

@@ -22,6 +22,8 @@ gun none type=weapon weapon=+shot
 turret base weapon=+shot
 lost none size=1"""
 
+SOUNDS = ("World sounds 3", "thud.wav", "lost.wav")
+
 DOOR = """flags=0x240
 symbols
 message startup
@@ -41,7 +43,7 @@ end
 
 def folder(tmp_path: Path, *, static: bool = True, cog: str = DOOR, things: str = "") -> Path:
     text = two_rooms(
-        *TEMPLATES.splitlines(), "World things 9", *things.splitlines(), "World cogs 2", "0: door.cog guard"
+        *SOUNDS, *TEMPLATES.splitlines(), "World things 9", *things.splitlines(), "World cogs 2", "0: door.cog guard"
     )
     (tmp_path / "jkl").mkdir()
     (tmp_path / "cog").mkdir()
@@ -69,11 +71,33 @@ def test_only_what_is_reached_stays(tmp_path: Path) -> None:
     # +boom and +chip follow from them. crate, base and gun are reached by nothing.
     assert names(level) == ["walkplayer", "ghost", "+chip", "+boom", "guard", "+shot", "turret"]
     assert level.passes["templates"] == {"ran": True, "note": "7 of 10 can be reached"}
-    assert level.omissions == [
+    assert level.omissions[1:] == [
         {"section": "templates", "reason": "nothing reaches them", "source": [2, 3, 8],
          "name": ["crate", "base", "gun"]},
         {"section": "templates", "reason": "the engine drops them: its type is free", "source": [10], "name": ["lost"]},
     ]  # fmt: skip
+
+
+def test_only_names_that_are_reached_stay(tmp_path: Path) -> None:
+    path = folder(tmp_path)
+    level = compiled(path)
+    assert [level.strings[i] for i in level.resources.sounds] == ["wind.wav", "thud.wav"]
+    assert [level.strings[i] for i in level.resources.materials] == ["wall.mat"]
+    assert level.passes["resources"] == {"ran": True, "note": "names of files that nothing reaches are left out: 1"}
+    assert level.omissions[0] == {
+        "section": "resources", "reason": "nothing reaches these sounds", "source": [2], "name": ["lost.wav"],
+    }  # fmt: skip
+
+
+def test_all_names_stay_while_a_file_that_names_more_is_missing(tmp_path: Path) -> None:
+    placed = "1: ghost ghost .5 1.5 .5 0 90 0 1 model3d=ghost.3do"
+    path = folder(tmp_path, things=placed)
+    level = compiled(path)
+    assert [level.strings[i] for i in level.resources.sounds] == ["wind.wav", "thud.wav", "lost.wav"]
+    assert level.passes["resources"]["note"] == "all names stay: what is reached is not known without ghost.3do"
+    assert level.passes["templates"]["note"] == "7 of 10 can be reached"
+    cut = compiled(path, cut_anyway=True)
+    assert [cut.strings[i] for i in cut.resources.sounds] == ["wind.wav", "thud.wav"]
 
 
 def test_while_a_cog_is_missing_everything_stays_unless_asked(tmp_path: Path) -> None:
@@ -82,7 +106,7 @@ def test_while_a_cog_is_missing_everything_stays_unless_asked(tmp_path: Path) ->
     level = compiled(path)
     assert len(names(level)) == 10
     assert level.passes["templates"]["note"] == "all 10 stay: what they reach is not known without door.cog"
-    assert [each["reason"] for each in level.omissions][:1] != ["nothing reaches them"]
+    assert [each["reason"] for each in level.omissions] == ["the engine drops them: its type is free"]
     cut = compiled(path, cut_anyway=True)
     assert names(cut) == ["walkplayer", "ghost"]
     assert cut.passes["templates"]["note"] == (

@@ -93,3 +93,14 @@ def test_conditions_sharpen_things() -> None:
     assert ranges.refine("==", ranges.INDEX, minus_one, holds=False) == ranges.PRESENT
     assert ranges.refine(">", ranges.INDEX, minus_one, holds=True) == ranges.PRESENT
     assert ranges.refine("<", ranges.PRESENT, ranges.FALSE, holds=True) is None
+
+
+def test_conditions_that_cut_off_leave_fractions() -> None:
+    """`0.5 != 0` does not hold, so that what is left may be 0.5."""
+    assert ranges.refine("!=", Range(ranges.FLEX, 0, 1), ranges.FALSE, holds=False) == Range(ranges.FLEX, 0, 1)
+
+
+def test_great_ints_compare_as_the_flexes_nearest_to_them() -> None:
+    """2^24 + 1 is no flex: `16777217 <= 16777216` holds."""
+    great = ranges.of_value(2**24 + 1)
+    assert ranges.refine("<=", great, ranges.of_value(2**24), holds=True) == great

@@ -38,6 +38,12 @@ def test_the_parents_pivot_is_taken_off() -> None:
     assert rest.vertices[4].tolist() == [10, 0.5, 2]
 
 
+def test_a_turned_node_below_a_turned_node() -> None:
+    """The tip of the arm: half a unit of pivot, pitched up, lifted by two, and then the root's quarter turn."""
+    text = BLOCK.replace("0 0 0 0 0 0 0 0 0 floor", "0 0 0 0 90 0 0 0 0 floor").replace("0 0 2 0 90 0", "0 0 2 90 0 0")
+    assert pose(text).vertices[6].tolist() == [0, 0.5, 4]
+
+
 def test_normals_turn_with_their_node() -> None:
     rest = pose(BLOCK.replace("0 0 2 0 90 0", "0 0 2 90 0 0"))
     assert rest.normal[1].tolist() == [0, -1, 0]  # pitched up: what looked up looks back

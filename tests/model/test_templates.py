@@ -222,16 +222,19 @@ def test_health_raises_maxhealth_but_does_not_lower_it() -> None:
 
 def test_what_a_path_rejects_a_patrol_may_take() -> None:
     level = level_of(two_rooms(
-        "World templates 4", "guard none type=actor", "World things 5",
+        "World templates 4", "guard none type=actor", "World things 6",
         "2: guard guard .5 .5 .5 0 0 0 0 numframes=0 frame=(1/2/3)",
         "3: guard guard .5 .5 .5 0 0 0 0 numframes=2 move=path frame=(1/2/3)",
         "4: guard guard .5 .5 .5 0 0 0 0 numframes=1 frame=(1/2/3) frame=(4/5/6)",
+        "5: guard guard .5 .5 .5 0 0 0 0 numframes=2 frame=(1/2/3) move=path numframes=1 frame=(4/5/6)",
     ))  # fmt: skip
-    none, mixed, patrol = (thing.resolved for thing in level.things[2:])
+    none, mixed, patrol, both = (thing.resolved for thing in level.things[2:])
     assert "numframes" not in none.values
     assert "frame" not in none.values
     # The path has no frames of its own: it takes no frame, and nobody asks the AI.
     assert [i.reason for i in mixed.ignored] == [Reason.FULL]
+    assert (both.values["numframes"].value, both.values["frame"].value) == (1, ((1, 2, 3), (4, 5, 6)))
+    assert both.ignored == ()
     assert patrol.values["frame"].value == ((1, 2, 3),)
     assert [(i.text, i.reason) for i in patrol.ignored] == [("(4/5/6)", Reason.FULL)]
 

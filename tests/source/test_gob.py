@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from jktools.source import Gob, InputError, PackBytes
-from tests.support.levels import gob_of
+from tests.support.levels import CORPUS, gob_of
 
 
 def pack(tmp_path: Path, data: bytes) -> Gob:
@@ -68,3 +68,18 @@ def test_other_versions_and_other_files_are_refused(tmp_path: Path) -> None:
         pack(tmp_path, gob_of([]).replace(struct.pack("<I", 20), struct.pack("<I", 21), 1))
     with pytest.raises(InputError, match="not a GOB pack"):
         pack(tmp_path, b"PK\3\4 and so on")
+
+
+@pytest.mark.parametrize("path", sorted((CORPUS / "gob").glob("*")) if CORPUS.exists() else [], ids=lambda p: p.name)
+def test_no_byte_of_a_real_pack_is_unexplained(path: Path) -> None:
+    """Header, directory and files lie without gap or overlap."""
+    data = path.read_bytes()
+    gob = Gob(PackBytes.of(path.name, data))
+    ranges = [(0, 12), (12, 16 + 136 * len(gob.members))]
+    for index, member in enumerate(gob.members):
+        offset, size = struct.unpack_from("<II", data, 16 + 136 * index)
+        assert (member.size, member.declared) == (size, size)
+        assert bytes(member.read().data) == data[offset : offset + size]
+        ranges.append((offset, offset + size))
+    ranges.sort()
+    assert [end for _, end in ranges] == [*(start for start, _ in ranges[1:]), len(data)]

@@ -68,27 +68,41 @@ def test_home_of_a_level_on_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.chdir(tmp_path)
     write(tmp_path / level, b"x")
     write(tmp_path / beside, b"a")
-    found = home_of(member(level), "jkl").find("mat/a.mat")
+    found = home_of(member(level), ["jkl"]).find("mat/a.mat")
     assert data(found) == b"a"
     assert found is not None
     assert found.path == beside
-    assert data(home_of(member(tmp_path / level), "jkl").find("mat/a.mat")) == b"a"
+    assert data(home_of(member(tmp_path / level), ["jkl"]).find("mat/a.mat")) == b"a"
 
 
 def test_home_of_a_level_typed_within_its_own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     write(tmp_path / "mod/jkl/x.jkl", b"x")
     write(tmp_path / "mod/mat/a.mat", b"a")
     monkeypatch.chdir(tmp_path / "mod/jkl")
-    found = home_of(member("x.jkl"), "jkl").find("mat/a.mat")
+    found = home_of(member("x.jkl"), ["jkl"]).find("mat/a.mat")
     assert found is not None
     assert found.path == "../mat/a.mat"
+
+
+def test_home_of_what_lies_deeper(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write(tmp_path / "mod/3do/mat/a.mat", b"a")
+    write(tmp_path / "mod/jkl/x.jkl", b"x")
+    folders = ["mat", "3do/mat"]
+    monkeypatch.chdir(tmp_path)
+    assert home_of(member("mod/3do/mat/a.mat"), folders).path == "mod"
+    monkeypatch.chdir(tmp_path / "mod/3do")
+    home = home_of(member("mat/a.mat"), folders)
+    assert home.path == ".."
+    assert data(home.find("jkl/x.jkl")) == b"x"
+    monkeypatch.chdir(tmp_path / "mod/3do/mat")
+    assert data(home_of(member("a.mat"), folders).find("jkl/x.jkl")) == b"x"
 
 
 def test_home_of_a_level_in_a_pack(tmp_path: Path) -> None:
     write(tmp_path / "p.gob", GOB)
     write(tmp_path / "z.zip", zip_of([("my mod/jkl/x.jkl", b"x"), ("my mod/mat/a.mat", b"a"), ("mat/a.mat", b"other")]))
-    assert data(home_of(member(f"{tmp_path}/p.gob!jkl/x.jkl"), "jkl").find("3do/ky.3do")) == b"ky"
-    home = home_of(member(f"{tmp_path}/z.zip!my mod/jkl/x.jkl"), "jkl")
+    assert data(home_of(member(f"{tmp_path}/p.gob!jkl/x.jkl"), ["jkl"]).find("3do/ky.3do")) == b"ky"
+    home = home_of(member(f"{tmp_path}/z.zip!my mod/jkl/x.jkl"), ["jkl"])
     assert data(home.find("mat/a.mat")) == b"a"
     assert home.path.endswith("z.zip!my mod")
     assert [m.name for m in home.beneath(["mat"])] == ["my mod/mat/a.mat"]

@@ -462,14 +462,14 @@ class Machine:
     def verb_setthingpulse(self, thing: Value | None, seconds: Value | None) -> None:
         which, every = values.to_int(thing), values.to_flex(seconds)
         self.thing_pulses.pop(which, None)
-        if which >= 0 and every > 0:
+        if which >= 0 and every != 0:
             self.log.things.add(which)
             self.thing_pulses[which] = (self.now + every, every, self.handler)
 
     def verb_setthingtimer(self, thing: Value | None, seconds: Value | None) -> None:
         which, after = values.to_int(thing), values.to_flex(seconds)
         self.thing_timers.pop(which, None)
-        if which >= 0 and after > 0:
+        if which >= 0 and after != 0:
             self.log.things.add(which)
             self.thing_timers[which] = (self.now + after, self.handler)
 

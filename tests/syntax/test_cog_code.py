@@ -249,7 +249,7 @@ def test_nesting_ends_where_the_engines_parser_ends(most: int, make: Any) -> Non
 
 
 def test_what_nests_without_limit_needs_no_recursion() -> None:
-    count = 200_000
+    count = 40_000
     for text in ("+ 1", ", x", "[0]", "()"):
         script = script_of(whole(f"x {text * count};"))
         assert script.faults == ()
@@ -294,12 +294,21 @@ def test_what_nests_without_limit_needs_no_recursion() -> None:
         (["call f();", "y;"], [("JK051", 1, "(")]),
         (["if (x) y; z; else w;", "y;"], [("JK051", 1, "else")]),
         (["do x; y;", "z;"], [("JK051", 1, "y")]),
+        (["while x < 5 { x; }", "y;"], [("JK051", 1, "x")]),
+        (["x; }", "call f();", "y;"], [("JK060", 1, "}"), ("JK051", 2, "(")]),
     ],
 )  # fmt: skip
 def test_one_mistake_is_one_fault_and_the_rest_is_read(code: list[str], faults: list[tuple[str, int, str]]) -> None:
     assert told(*code) == sorted(faults, key=lambda f: f[1])
     last = script_of(whole(*code)).code.body[-1]
     assert isinstance(last, (n.ExprStatement, n.If, n.Labeled)), last
+
+
+def test_what_stands_before_a_fault_is_kept() -> None:
+    script = script_of(whole("a;", "if (b) { c; }", "}", "call d();", "e;"))
+    kept = [type(s).__name__ for s in script.code.body]
+    assert kept[:2] == ["ExprStatement", "If"]
+    assert kept[-1] == "ExprStatement"
 
 
 def test_a_statement_that_is_given_up_is_marked() -> None:

@@ -123,8 +123,9 @@ def test_what_the_engine_refuses_in_a_header(text: str, codes: list[str]) -> Non
 
 
 def test_what_a_refused_header_holds_is_read_all_the_same() -> None:
-    script = script_of("// a door\nsymbols\nthing a\nend\ncode\nx: stop;\nend\n")
+    script = script_of("// a door\nflags=0x40\nsymbols\nthing a\nend\ncode\nx: stop;\nend\n")
     assert names(script) == [("thing", "a", None)]
+    assert script.header.flags == 0x40
     assert len(script.code.body) == 1
 
 

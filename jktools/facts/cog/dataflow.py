@@ -21,10 +21,14 @@ from jktools.model.cog.program import Program
 from jktools.model.cog.values import Value
 from jktools.syntax.cog.nodes import Binary, Call, Expression, Name, Node, Unary
 
-MOST_ROUNDS = 6
-"""Rounds over the assignments before their ranges are let go."""
+MOST_ROUNDS = 12
+"""Rounds over the assignments before the ranges of what they give are let go."""
 MOST_VISITS = 4
 """Visits of a block before what keeps changing falls back on its invariant."""
+MOST_ARRAY_STORES = 100_000
+"""Assignments of arrays times symbols before the ranges of all symbols are let go at once."""
+LAST_VISIT = 12
+"""Visits of a block before everything does."""
 
 State = dict[int, Range]
 """What is known more sharply than the invariant, by slot."""
@@ -132,7 +136,9 @@ def _invariants(known: Known, blocks: Sequence[Block]) -> None:
             code = block.code[start:end]
             if any(op is Op.STORE or op is Op.STORE_AT for op, _, _ in code):
                 storing.append(code)
-    for turn in range(MOST_ROUNDS + 3 * len(invariant)):
+    arrays = sum(op is Op.STORE_AT for code in storing for op, _, _ in code)
+    rounds = MOST_ROUNDS if arrays * len(invariant) < MOST_ARRAY_STORES else 0
+    for turn in range(rounds):
         before = list(invariant)
         for code in storing:
             _run(code, {}, invariant, None, frozenset())
@@ -142,6 +148,15 @@ def _invariants(known: Known, blocks: Sequence[Block]) -> None:
                     invariant[slot] = ranges.widen(old, invariant[slot])
         if invariant == before:
             return
+    for slot in _stored(blocks, len(invariant)):
+        invariant[slot] = ANY
+
+
+def _stored(blocks: Sequence[Block], slots: int) -> frozenset[int]:
+    """The slots that some assignment can reach: all of them where there are arrays."""
+    if any(op is Op.STORE_AT for block in blocks for op, _, _ in block.code):
+        return frozenset(range(slots))
+    return frozenset(slot for block in blocks for op, slot, _ in block.code if op is Op.STORE)
 
 
 def _run(
@@ -169,8 +184,8 @@ def _run(
             if known is not None:
                 known.arguments[node] = given  # type: ignore[index]
             if arg.delivers:
-                for slot in lost:
-                    state.pop(slot, None)
+                for slot in lost.intersection(state):
+                    del state[slot]
                 stack = [ANY] * len(stack)  # the handlers in between share this stack, and leave things on it
             if arg.returns != "void":
                 if arg.pushes != "once":
@@ -205,11 +220,14 @@ def _run(
             value = stack.pop() if stack else ANY
             index = stack.pop() if stack else ANY
             low, high = _span(arg, index, len(invariant))
-            for slot in range(low, high):
-                if known is None:
+            if high - low == 1 and known is not None:
+                state[low] = value
+            elif known is not None:
+                for slot in [s for s in state if low <= s < high]:
+                    del state[slot]  # the invariant holds the value too
+            else:
+                for slot in range(low, high):
                     invariant[slot] = ranges.join(invariant[slot], value)
-                else:
-                    state[slot] = value if high - low == 1 else ranges.join(state.get(slot) or invariant[slot], value)
             if known is not None:
                 known.indices[node] = index
                 known.stored[node] = value
@@ -266,13 +284,7 @@ class _Sharpening:
         self.visits: dict[int, int] = {}
 
     def run(self, blocks: Sequence[Block]) -> None:
-        self.lost = frozenset(
-            slot
-            for block in blocks
-            for op, base, _ in block.code
-            if op is Op.STORE or op is Op.STORE_AT
-            for slot in ((base,) if op is Op.STORE else range(len(self.known.invariant)))
-        )
+        self.lost = _stored(blocks, len(self.known.invariant))
         starts = [self.flow.label_block[h.label] for h in self.program.handlers]
         for start in starts:
             self.entry[start] = {}
@@ -294,8 +306,8 @@ class _Sharpening:
         stack = _run(block.code, state, known.invariant, known, self.lost)
         if block.callee >= 0:
             called = dict(state)
-            for slot in self.lost:
-                state.pop(slot, None)
+            for slot in self.lost.intersection(state):
+                del state[slot]
             return [(block.callee, called), *((s, state) for s in block.successors)]
         if not block.tests:
             return [(s, state) for s in block.successors]
@@ -351,6 +363,9 @@ class _Sharpening:
             return True
         changed = False
         visits = self.visits[index] = self.visits.get(index, 0) + 1
+        if visits > LAST_VISIT:
+            changed = bool(old)
+            old.clear()
         for slot in list(old):
             was = old[slot]
             new = state.get(slot)

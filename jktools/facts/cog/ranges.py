@@ -248,7 +248,7 @@ def _sign(a: tuple[int, int]) -> bool | None:
 
 
 EXACT_INT = 2.0**24
-"""Ints up to here are flexes too, so that comparing as flex compares the ints."""
+"""Ints below this are flexes too, and no other int rounds to them: comparing as flex compares the ints."""
 
 
 def refine(operator: str, a: Range, b: Range, *, holds: bool) -> Range | None:
@@ -262,7 +262,7 @@ def refine(operator: str, a: Range, b: Range, *, holds: bool) -> Range | None:
                 return a
         elif (a.low == -INF and a.high == INF) or (b.low == -INF and b.high == INF):
             return a
-    if max(abs(b.low), abs(b.high)) > EXACT_INT:
+    if max(abs(b.low), abs(b.high)) >= EXACT_INT:
         return a
     return _narrow(operator if holds else INVERSE[operator], a, b)
 

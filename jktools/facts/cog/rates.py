@@ -87,8 +87,21 @@ class Source:
         """Whether the call can only switch the pulse or timer off."""
         if self.seconds is None:
             return False
-        most = ranges.as_flex(self.seconds)[1]
+        least, most = ranges.as_flex(self.seconds)
+        if self.kind in ("thing pulse", "thing timer"):
+            return least == most == 0  # what is below 0 comes every frame
         return most < 0 if self.kind == "each timer" else most <= 0
+
+
+@dataclass(frozen=True, slots=True)
+class HandlerCall:
+    """A call as one handler comes to it."""
+
+    label: str
+    """Of the handler."""
+    site: Site
+    repeats: Repeats
+    """How often a run of the handler makes the call, through its loops and the labels that it calls."""
 
 
 class Rates:
@@ -126,6 +139,20 @@ class Rates:
         return tuple(label for label, passes in self.repeats.items() if site.block in passes)
 
     @cached_property
+    def sight_calls(self) -> tuple[HandlerCall, ...]:
+        """Every way to a verb of sight: handler by handler, in the order of the code.
+
+        The cost of one call is `site.verb.sight`; what it looks from and at are `site.arguments`, and `most_runs` tells
+        how often the handlers run.
+        """
+        return tuple(
+            HandlerCall(label, site, self.repeats_of(label, site))
+            for label in self.repeats
+            for site in self.sites
+            if site.verb.sight is not None and site.block in self.repeats[label]
+        )
+
+    @cached_property
     def sources(self) -> Mapping[str, tuple[Source, ...]]:
         """For each handler's label, all that can send its message."""
         found: dict[str, list[Source]] = {h.label: [] for h in self.program.handlers}
@@ -159,7 +186,7 @@ class Rates:
         target = site.call.arguments[0] if site.call.arguments else None
         if isinstance(target, Name):
             slot = self.program.slot_of.get(target.name)
-            return slot is None or slot.type != "cog" or slot.index in self.counter.stores
+            return slot is None or slot.type != "cog" or self.counter.is_stored(slot.index)
         return True
 
     @cached_property
@@ -168,7 +195,7 @@ class Rates:
         found: dict[str, set[str]] = {h.label: set() for h in self.program.handlers}
         for label, sources in self.sources.items():
             for source in sources:
-                for sender in source.senders:
+                for sender in () if source.off else source.senders:
                     found[sender].add(label)
         return {label: frozenset(each) for label, each in found.items()}
 

@@ -20,6 +20,10 @@ from jktools.syntax.cog.nodes import Assign, Binary, Expression, Name
 
 MOST_FRAMES = 4
 """How deep `call` and messages nest."""
+MOST_TESTS = 8
+"""Ways out of a loop that are looked at for one that counts."""
+MOST_EFFORT = 50_000
+"""Blocks counted before nothing more is held for bounded; only scripts made to take long come near."""
 SHORTEST_SLEEP = 0.1
 """What a sleep of 0 seconds or less lasts."""
 
@@ -40,6 +44,15 @@ class Repeats(NamedTuple):
     def times(self, count: float) -> Repeats:
         """For what runs `count` times as often."""
         return Repeats(self.per_run * count, self.per_second * count, self.per_interruption * count)
+
+
+class _Loop(NamedTuple):
+    header: int
+    """-1 for a loop that is entered in several places."""
+    tests: Repeats
+    """Passes of the header."""
+    body: Repeats
+    """Passes of each other block, as far as no inner loop holds it."""
 
 
 NEVER = Repeats(0.0, 0.0)
@@ -107,15 +120,21 @@ class Counter:
         self.reach = reach
         self.known = known
         self._within: dict[int, Mapping[int, Repeats]] = {}
-        self.stores = self._stores()
+        self._effort = 0
+        self.stores = self._stores(Op.STORE)
+        self.arrays = [each for stores in self._stores(Op.STORE_AT).values() for each in stores]
 
     def of_handler(self, start: int) -> Mapping[int, Repeats]:
         """Passes of each block in one run of the handler that starts here, through calls too."""
         total: dict[int, Repeats] = {}
         level = {start: ONCE}
+        if self._effort > MOST_EFFORT:
+            return dict.fromkeys(self.reach.blocks_from([start]), UNBOUNDED)
         for _ in range(1 + MOST_FRAMES):
             below: dict[int, Repeats] = {}
             for entry, count in level.items():
+                if self._effort > MOST_EFFORT:
+                    return dict.fromkeys(self.reach.blocks_from([start]), UNBOUNDED)
                 for index, inner in self.within(entry).items():
                     passes = _nested(count, inner)
                     total[index] = _sum(total.get(index, NEVER), passes)
@@ -132,31 +151,32 @@ class Counter:
         if entry not in self._within:
             inside = frozenset(i for i in self.reach.blocks_from([entry], into_calls=False) if i in self.known.visited)
             found = dict.fromkeys(sorted(inside), ONCE)
+            self._effort += len(found)
             pending = [(part, ONCE) for part in components(self.flow.blocks, inside)]
             while pending:
                 part, outer = pending.pop()
-                header, passes = self._loop(frozenset(part), inside, outer, entry)
+                loop = self._loop(frozenset(part), inside, outer, entry)
                 for index in part:
-                    found[index] = passes
-                if header >= 0:
-                    pending += [(p, passes) for p in components(self.flow.blocks, frozenset(part), cut=header)]
+                    found[index] = loop.tests if index == loop.header else loop.body
+                if loop.header >= 0:
+                    pending += [(p, loop.body) for p in components(self.flow.blocks, frozenset(part), cut=loop.header)]
             self._within[entry] = found
         return self._within[entry]
 
-    def _loop(self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int) -> tuple[int, Repeats]:
-        """The header of a loop, -1 when it has several, and the passes of what is in it."""
+    def _loop(self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int) -> _Loop:
+        """How often a loop's header and the rest of it are passed."""
         outside = inside - part
         headers = [i for i in sorted(part) if i == entry or outside.intersection(self.flow.blocks[i].predecessors)]
         if len(headers) != 1:
-            return -1, UNBOUNDED
+            return _Loop(-1, UNBOUNDED, UNBOUNDED)
         header = headers[0]
-        turns = self._turns(header, part)
+        turns, testing = self._turns(header, part)
         if turns < math.inf:
-            return header, outer.times(turns + 1)
+            again = outer.times(turns + 1)
+            return _Loop(header, again, outer.times(turns) if testing == header else again)
         pace = self._pace(header, part)
-        if pace > 0:
-            return header, Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1)
-        return header, UNBOUNDED
+        passes = Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1) if pace else UNBOUNDED
+        return _Loop(header, passes, passes)
 
     def _pace(self, header: int, part: frozenset[int]) -> float:
         """The least time that every turn sleeps; 0 when a turn may not sleep at all."""
@@ -176,29 +196,32 @@ class Counter:
 
     # ---- loops that count
 
-    def _stores(self) -> Mapping[int, list[tuple[int, Assign]]]:
-        """By slot: the block and node of each assignment that can run; an array's counts for every slot."""
+    def _stores(self, operation: Op) -> Mapping[int, list[tuple[int, Assign]]]:
+        """By slot: the block and node of each assignment that can run; an array's by the slot that it counts from."""
         found: dict[int, list[tuple[int, Assign]]] = {}
         for index in sorted(self.known.visited):
             for op, slot, node in self.flow.blocks[index].code:
-                if op is Op.STORE:
+                if op is operation:
                     found.setdefault(slot, []).append((index, node))  # type: ignore[arg-type]
-                elif op is Op.STORE_AT:
-                    for each in range(len(self.program.slots)):
-                        found.setdefault(each, []).append((index, node))  # type: ignore[arg-type]
         return found
 
-    def _turns(self, header: int, part: frozenset[int]) -> float:
-        """The most turns of a loop whose condition compares a variable that every turn moves by a step."""
+    def is_stored(self, slot: int) -> bool:
+        """Whether something can assign a symbol."""
+        return slot in self.stores or bool(self.arrays)
+
+    def _turns(self, header: int, part: frozenset[int]) -> tuple[float, int]:
+        """The most turns of a loop whose condition compares a variable that every turn moves by a step.
+
+        With the block that tests it: where that is the header, nothing else is passed once more than the turns.
+        """
         testing = [
             i for i in sorted(part)
             if self.flow.blocks[i].tests and any(s not in part for s in self.flow.blocks[i].successors)
         ]  # fmt: skip
-        best = math.inf
-        for index in testing:
-            if self._every_turn(index, header, part):
-                best = min(best, self._turns_by(index, header, part))
-        return best
+        counting = [i for i in testing if isinstance(self.flow.blocks[i].condition, Binary)][:MOST_TESTS]
+        found = [(self._turns_by(i, header, part), i) for i in counting]
+        proven = [each for each in found if each[0] < math.inf and self._every_turn(each[1], header, part)]
+        return min(proven, default=(math.inf, -1))
 
     def _turns_by(self, testing: int, header: int, part: frozenset[int]) -> float:
         block = self.flow.blocks[testing]
@@ -225,15 +248,17 @@ class Counter:
         if slot is None or (own.kinds | limit.kinds) & ~ranges.NUMBER:
             return math.inf
         known = self.known
-        stores = self.stores.get(slot.index, [])
+        stores = [*self.stores.get(slot.index, []), *self.arrays]
         moving = [
             (index, node)
             for index, node in stores
             if index in part and not self._ends(known.stored[node], going, limit)
         ]
+        if any(index in part for index, _ in self.arrays):
+            return math.inf
         if len(moving) != 1 or not self._every_turn(moving[0][0], header, part):
             return math.inf
-        if len(stores) > 1 and self._others_run(part):
+        if self._others_store(part, stores):
             return math.inf
         step = self._step(moving[0][1], slot.name)
         up = going in ("<", "<=")
@@ -245,8 +270,12 @@ class Counter:
         farthest = max(abs(start), abs(end)) + max(abs(step[0]), abs(step[1]))
         if farthest * 2.0**-24 > least / 16:
             return math.inf
-        exact = all(float(x).is_integer() for x in (least, start)) and farthest < ranges.EXACT_INT
-        return max(0.0, math.floor((end - start) / (least if exact else least * 15 / 16)) + 1)
+        exact = all(float(x).is_integer() for x in (least, start, end)) and farthest < ranges.EXACT_INT
+        if exact:
+            turns = -((start - end) // least) if going in "<>" else (end - start) // least + 1
+        else:
+            turns = (end - start) // (least * 15 / 16) + 1
+        return max(0.0, turns)
 
     def _ends(self, stored: ranges.Range, going: str, limit: ranges.Range) -> bool:
         """Whether an assignment in a loop ends it, as `i = 100;` where another language has `break`."""
@@ -264,11 +293,14 @@ class Counter:
                 return ranges.as_flex(left)
         return 0.0, 0.0
 
-    def _others_run(self, part: frozenset[int]) -> bool:
-        """Whether other handlers, or other runs of this one, can come between the turns."""
+    def _others_store(self, part: frozenset[int], stores: Sequence[tuple[int, Assign]]) -> bool:
+        """Whether one of the assignments can come between the turns: in what the loop calls, or in other handlers."""
         blocks = self.flow.blocks
-        return any(
-            blocks[i].callee >= 0 or any(op is Op.CALL and arg.delivers for op, arg, _ in blocks[i].code) for i in part
+        called = frozenset(self.reach.blocks_from(blocks[i].callee for i in part if blocks[i].callee >= 0))
+        if any(index in called for index, _ in stores):
+            return True
+        return len(stores) > 1 and any(
+            op is Op.CALL and arg.delivers for i in part | called for op, arg, _ in blocks[i].code
         )
 
     def _every_turn(self, index: int, header: int, part: frozenset[int]) -> bool:

@@ -41,7 +41,7 @@ class ByteReader:
             self.lost = True
             self.faults.tell(
                 faults.CUT_OFF_ASSET, self.source,
-                f"{self.what} should go on for {size} bytes with {part}, but ends after {self.left}",
+                f"{self.what} should go on for {size} bytes with {part}, but {self.left} are left",
                 "copy or export the file again",
             )  # fmt: skip
             return False

@@ -37,7 +37,7 @@ def read_colormap(source: Source) -> Colormap:
     """Read a CMP. Never raises: what is wrong is told in `Colormap.diagnostics`."""
     data = ByteReader(source, "the colormap")
     palette = np.zeros((COLORS, 3), np.uint8)
-    header = data.take(HEADER, "header")
+    header = data.take(HEADER, "its header")
     if header is None or not data.starts(MAGIC, header[0]):
         return Colormap(source=source, diagnostics=data.finish(), palette=palette)
     _, version, flags, *tint = header

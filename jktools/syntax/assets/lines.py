@@ -15,7 +15,7 @@ from jktools.syntax.assets.faultlist import FaultList
 from jktools.syntax.lines import BLANK, LogicalLines
 from jktools.syntax.misfit import misfit_of, quote
 from jktools.syntax.records import Record, keywords
-from jktools.syntax.rows import Rows
+from jktools.syntax.rows import Rows, well_formed
 
 _LABEL = re.compile(r"[ \t\r\f\v]*[-+]?[0-9]+:")
 
@@ -38,6 +38,7 @@ class LineReader:
         self.at = 0
         self.faults = FaultList(source)
         self._told_blank = skips_blank
+        self._told_end = False
         for line in self.lines.cut_lines():
             self.fault(
                 faults.MALFORMED_ASSET, line,
@@ -117,6 +118,9 @@ class LineReader:
         What stands before it is passed over, but nothing beyond a line of `stops`.
         """
         if not self.is_at(record):
+            if self.done and self._told_end:
+                return None
+            self._told_end = self.done
             found = "the file ends" if self.done else f"found {quote(self.text())}"
             self.fault(
                 faults.MALFORMED_ASSET, self.at, f'expected the line "{record.keyword}", but {found}',
@@ -139,8 +143,10 @@ class LineReader:
         """Parse a line with the grammar; None, and a fault told, when the engine could not read it."""
         text = self.lines.text(line)
         if self.faults.full:
-            # A file of garbage: what is not told need not be explained, and the grammar takes its time.
-            self.faults.count()
+            # A file of garbage: what is not told need not be explained nor kept, and the grammar takes its time.
+            if not record.keyword and not well_formed(record, self.lines, line):
+                self.faults.count()
+                return None
             return record.salvage(text)
         title = record.title if subject is None else f"{subject.kind} {subject.index}"
         try:

@@ -79,7 +79,7 @@ class Material(Asset):
 def read_material(source: Source) -> Material:
     """Read a MAT. Never raises: what is wrong is told in `Material.diagnostics`."""
     data = ByteReader(source, "the material")
-    header = data.take(HEADER, "header")
+    header = data.take(HEADER, "its header")
     if header is None or not data.starts(MAGIC, header[0]):
         return Material(source=source, diagnostics=data.finish())
     _, version, kind, cel_count, texture_count, _, bits, *_ = header

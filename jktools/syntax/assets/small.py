@@ -110,21 +110,29 @@ class _Fields:
 
     def __init__(self, source: Source, game: str, effect: str) -> None:
         self.reader = LineReader(source, game, effect, skips_blank=True)
-        self.references: list[Reference] = []
+        self._references: dict[tuple[str, str], Reference] = {}
+        self._words: dict[str, str] = {}
 
     def lines(self) -> Iterator[int]:
         while (line := self.reader.next()) is not None:
             yield line
 
     def words(self, line: int) -> list[str]:
-        return WORD.findall(self.reader.lines.text(line).replace(",", " "))
+        """The words of a line; equal ones are kept once, so that a long file of few names takes little room."""
+        found = WORD.findall(self.reader.lines.text(line).replace(",", " "))
+        return [self._words.setdefault(word, word) for word in found]
+
+    @property
+    def references(self) -> tuple[Reference, ...]:
+        """Each file that is named, at the first place that names it."""
+        return tuple(self._references.values())
 
     def refer(self, extension: str, name: str, line: int) -> None:
-        if name.lower() != NONE:
+        if name.lower() != NONE and (extension, name.lower()) not in self._references:
             text = self.reader.lines.text(line)
             at = text.lower().find(name.lower())
             place = self.reader.lines.part(line, at, at + len(name)) if at >= 0 else self.reader.lines.span(line)
-            self.references.append(Reference(extension, name, place))
+            self._references[extension, name.lower()] = Reference(extension, name, place)
 
     def read(self, record: Record, line: int, subject: Subject | None = None) -> Sequence[str] | None:
         return self.reader.record(record, line, subject)
@@ -154,7 +162,7 @@ def read_sprite(source: Source, game: str = "jk") -> Sprite:
         )  # fmt: skip
     fields.reader.at_end("the sprite")
     return Sprite(
-        source=source, diagnostics=fields.reader.faults.finish(), references=tuple(fields.references),
+        source=source, diagnostics=fields.reader.faults.finish(), references=fields.references,
         material=material, type=kind, size=(width, height),
     )  # fmt: skip
 
@@ -174,7 +182,7 @@ def read_sound_class(source: Source, game: str = "jk") -> SoundClass:
         sounds.append((words[0], words[1]))
         fields.refer("wav", words[1], line)
     return SoundClass(
-        source=source, diagnostics=fields.reader.faults.finish(), references=tuple(fields.references),
+        source=source, diagnostics=fields.reader.faults.finish(), references=fields.references,
         sounds=tuple(sounds),
     )  # fmt: skip
 
@@ -223,7 +231,7 @@ def read_puppet(source: Source, game: str = "jk") -> Puppet:
             'put a line "end" behind the last one', severity=Severity.INFO,
         )  # fmt: skip
     return Puppet(
-        source=source, diagnostics=fields.reader.faults.finish(), references=tuple(fields.references),
+        source=source, diagnostics=fields.reader.faults.finish(), references=fields.references,
         keyframes=tuple(keyframes), joints=tuple(joints),
     )  # fmt: skip
 
@@ -279,7 +287,7 @@ def read_items(source: Source, game: str = "jk") -> Items:
         if cog:
             fields.refer("cog", cog, line)
     return Items(
-        source=source, diagnostics=fields.reader.faults.finish(), references=tuple(fields.references),
+        source=source, diagnostics=fields.reader.faults.finish(), references=fields.references,
         items=tuple(items),
     )  # fmt: skip
 
@@ -308,7 +316,7 @@ def read_episode(source: Source, game: str = "jk") -> Episode:
     if not reader.done and reader.text().strip().lower() == "end":
         reader.at += 1
     return Episode(
-        source=source, diagnostics=reader.faults.finish(), references=tuple(fields.references), title=title,
+        source=source, diagnostics=reader.faults.finish(), references=fields.references, title=title,
         type=ints([str(kind[0])])[0][0] if kind else -1, steps=tuple(steps),
     )  # fmt: skip
 

@@ -60,7 +60,10 @@ EPISODE_LINE = Record(
     scanned=True, grammar=parser,
 )  # fmt: skip
 
-SECTION = _line("section:", *fields(Kind.WORD, "name"), rule="section")
+SECTION = Record(
+    "section", "section:", fields(Kind.WORD, "name"), scanned=True, keyword="section:", more="*", grammar=parser
+)
+"""Its name may be several words: `SECTION: KEYFRAME NODES`."""
 VERSION = _line("par", *fields(Kind.FLOAT, "version"), rule="version")
 FLAGS = _line("flags", *fields(Kind.HEX, "flags"))
 TYPE = _line("type", *fields(Kind.HEX, "type"))

@@ -57,7 +57,7 @@ def read_wave(source: Source) -> Wave:
     engine).
     """
     data = ByteReader(source, "the sound")
-    riff = data.take(RIFF, "header")
+    riff = data.take(RIFF, "its header")
     if riff is None or not (data.starts(b"RIFF", riff[0]) and data.starts(b"WAVE", riff[2])):
         return Wave(source=source, diagnostics=data.finish())
     form: tuple[int, ...] | None = None

@@ -71,9 +71,7 @@ class _Reader:
         return HeaderReading(header, tuple(self.faults), code)
 
     def _read(self) -> int | None:
-        if self._next() and self.words[0].key == "flags":
-            self.flags_word = self.words[0]
-            self.flags = read_hex(self.words[0].value, 0)
+        if self._next() and self._flags():
             self._next()
         if not self._seek("symbols", "before the symbols"):
             return None
@@ -86,6 +84,14 @@ class _Reader:
             return None
         self._next()
         return self.lines.behind(self.at) if self._seek("code", "between the symbols and the code") else None
+
+    def _flags(self) -> bool:
+        """Whether the line at hand says the flags, and what they are."""
+        if self.words[0].key != "flags":
+            return False
+        self.flags_word = self.words[0]
+        self.flags = read_hex(self.words[0].value, 0)
+        return True
 
     def _next(self) -> bool:
         """Go to the next line that has words."""
@@ -120,6 +126,8 @@ class _Reader:
         first = self.words
         place = self.source.span(first[0].start, first[-1].end) if first else self._end_of_file()
         while self.words and self.words[0].value != word:
+            if self.flags_word is None and word == "symbols":
+                self._flags()  # the engine is past reading; the rest of us are not
             self._next()
         if not self.words:
             self._missing(f'there is no "{word}" line, but the engine needs one', word)

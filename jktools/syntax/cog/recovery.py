@@ -20,6 +20,9 @@ from jktools.syntax.cog.tables import END_OF_CODE, Tables
 MOST_FAULTS = 100
 """Places told of one script: what follows a hundred of them is not worth reading as code."""
 
+MOST_MENDED = 400
+"""Places mended in one script, those included that are not told because they follow from another."""
+
 LOOK_AHEAD = 5
 """Tokens that a mended place is tried on."""
 
@@ -47,8 +50,9 @@ class Recovery:
         self._statement_columns = {self._words[word] for word in STATEMENT_WORDS}
         self._kept = {self._end, self._words[";"], self._words["{"], *self._statement_columns}
         """Tokens that say where statements end and start: they are never taken for one too many."""
-        self._given_up = (-1, 0)
-        """Where a statement was last given up: token, and how much of the stack was left."""
+        self._mended = 0
+        self._given_up = -1
+        """The token at which a statement was last given up."""
         self._quiet_until = 0
 
     def finish(self) -> list[Diagnostic]:
@@ -60,7 +64,13 @@ class Recovery:
     def recover(self, stack: Stack, tokens: list[Token], at: int, *, too_deep: bool) -> int:
         """Change stack or tokens so that parsing can go on, and give the token to go on with."""
         self.stopped = self.stopped or tokens[at]
-        if len(self.faults) >= MOST_FAULTS:
+        self._mended += 1
+        if len(self.faults) >= MOST_FAULTS or self._mended > MOST_MENDED:
+            self._tell(
+                faults.TOO_MANY_COG_FAULTS, tokens[at].start, tokens[at].end,
+                f"{len(self.faults)} places are told, but there are more; the rest of the code was not read",
+                "mend the first ones; the rest often follow from them",
+            )  # fmt: skip
             return self._stop(stack, tokens, at)
         if too_deep:
             self._tell_once_too_deep(tokens[at])
@@ -96,14 +106,10 @@ class Recovery:
 
     def _give_up(self, stack: Stack, tokens: list[Token], at: int) -> int:
         """Make one unreadable statement of the one at hand, up to where another may start."""
-        token, left = self._given_up
-        below = left - 1 if token == at else len(stack.states)
-        depth = next((d for d in range(below, 0, -1) if self._takes_statement(stack, d)), 0)
-        if depth == 0:  # at the very start, for the second time: this token leads nowhere
-            if tokens[at].column == self._end:
-                return self._stop(stack, tokens, at)
-            return at + 1
-        self._given_up = (at, depth)
+        if at == self._given_up:  # what stands before it is given up already: this token leads nowhere
+            return self._stop(stack, tokens, at) if tokens[at].column == self._end else at + 1
+        self._given_up = at
+        depth = next(d for d in range(len(stack.states), 0, -1) if self._takes_statement(stack, d))
         entered = [self.tables.entered_by[state] for state in stack.states[depth:]]
         start = stack.starts[depth] if depth < len(stack.starts) else tokens[at].start
         stack.cut(depth)
@@ -144,12 +150,6 @@ class Recovery:
 
     def _stop(self, stack: Stack, tokens: list[Token], at: int) -> int:
         """Take the rest as one unreadable statement of the outermost level."""
-        if len(self.faults) == MOST_FAULTS:
-            self._tell(
-                faults.TOO_MANY_COG_FAULTS, tokens[at].start, tokens[at].end,
-                f"{MOST_FAULTS} places are told, but there are more; the rest of the code was not read",
-                "mend the first ones; the rest often follow from them",
-            )  # fmt: skip
         end = tokens[-1].start
         readable = (
             stack.values[1] if len(stack.states) > 1 and self.tables.entered_by[stack.states[1]] == "body" else []
@@ -237,6 +237,8 @@ class Recovery:
         )
         if any(f.code == faults.UNCLOSED_BRACKET and f.label.span == self._span(opened) for f in self.faults):
             return
+        if self.source.text[opened : opened + 1] != CLOSES[inserted]:
+            return  # it was left out too, and that is told
         line = self.source.position(opened).line
         self._tell(
             faults.UNCLOSED_BRACKET, opened, opened + 1,

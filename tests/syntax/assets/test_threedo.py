@@ -237,6 +237,13 @@ def test_no_model_at_all(text: str) -> None:
     assert len(model.nodes) == 0
 
 
+def test_a_model_that_is_cut_off_is_told_once() -> None:
+    assert told(BLOCK[: BLOCK.index("RADIUS 3.5")]) == [
+        ("JK030", None, 'expected the line "radius", but the file ends')
+    ]
+    assert told("") == [("JK030", None, 'expected the line "section:", but the file ends')]
+
+
 def test_garbage_is_told_briefly() -> None:
     text = BLOCK.replace("VERTICES 4\n0: -1 -1 0 1", "VERTICES 9000\n" + "0: x\n" * 9000, 1)
     found = told(text)

@@ -17,7 +17,8 @@ def falls_into_handler(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
     ## Why it matters
     A label does not end what stands above it. Without `return` a handler goes on with the next handler's code, as if
     that message had come too. Labels directly on top of each other are not reported: they share one handler. Nor is a
-    handler of `user0` to `user7`, which only scripts send: code that runs on into it mostly wants what stands there.
+    handler that seems to be wanted: one of `user0` to `user7`, which only scripts send, or one of a pulse or timer that
+    the code above has just set, so that the same is done now and later.
 
     ## Bad
         symbols
@@ -49,7 +50,10 @@ def falls_into_handler(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
     for label, source in facts.reach.falls:
         name = label.label.name
         handler = facts.program.handler_of.get(name)
-        if handler is not None and name != source and not handler.message.name.startswith("user"):
+        wanted = handler is not None and (
+            handler.message.name.startswith("user") or name in facts.rates.arms.get(source, ())
+        )
+        if handler is not None and name != source and not wanted:
             yield Finding(
                 facts.label(label.label),
                 f'the code below "{source}" runs on into "{name}", which is a handler of its own',

@@ -30,7 +30,7 @@ def parent_defined_later(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """
     for template in level.templates:
         at = level.template_by_name.get(template.parent_name.lower(), -1)
-        if template.broken or at < template.index:
+        if template.broken or at < template.index or template.parent_name.lower() in level.game_templates:
             continue
         parent = level.templates[at]
         itself = at == template.index

@@ -33,7 +33,7 @@ def template_reference_defined_later(level: Level, facts: LevelFacts) -> Iterato
     for template in level.templates:
         for key, value in template.parameters:
             at = level.template_by_name.get(value.lower(), -1)
-            if key.lower() not in TEMPLATE_KEYS or at < template.index:
+            if key.lower() not in TEMPLATE_KEYS or at < template.index or value.lower() in level.game_templates:
                 continue
             yield Finding(
                 Label(template.span),

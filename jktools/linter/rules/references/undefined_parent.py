@@ -29,14 +29,15 @@ def undefined_parent(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World templates 4
         bigcrate crate size=.2
     """
-    known = level.template_by_name
+    known = {*level.template_by_name, *level.game_templates}
+    missing = level.nobody_defines or "the level defines no such template"
     for template in level.templates:
         parent = template.parent_name.lower()
         if template.broken or parent == NO_PARENT or parent in known:
             continue
         yield Finding(
             Label(template.field_span("parent")),
-            f'{template.title} has the parent "{template.parent_name}", but the level defines no such template',
+            f'{template.title} has the parent "{template.parent_name}", but {missing}',
             did_you_mean(parent, known) or "define the parent, unless the game's static.jkl has it",
             template.subject,
         )

@@ -27,14 +27,15 @@ def undefined_template(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World things 3
         1: Ghost ghost .5 1.5 .5 0 0 0 1
     """
-    known = level.template_by_name
+    known = {*level.template_by_name, *level.game_templates}
+    missing = level.nobody_defines or "the level defines none of that name"
     for index, name in enumerate(level.document.things.templates):
         thing = level.things[index]
         if name.lower() in known or thing.broken:
             continue
         yield Finding(
             Label(thing.field_span("template")),
-            f'{thing.title} names template "{name}", but the level defines none of that name',
+            f'{thing.title} names template "{name}", but {missing}',
             did_you_mean(name, known) or "define the template, unless the game's static.jkl has it",
             thing.subject,
         )

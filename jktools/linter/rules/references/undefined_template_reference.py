@@ -30,15 +30,17 @@ def undefined_template_reference(level: Level, facts: LevelFacts) -> Iterator[Fi
         World templates 4
         barrel none type=actor explode=none
     """
+    known = {*level.template_by_name, *level.game_templates}
+    missing = level.nobody_defines or "the level defines no template of that name"
     owners: list[Template | Thing] = [*level.templates, *level.things]
     for owner in owners:
         for key, value in owner.parameters:
             name = value.lower()
-            if key.lower() not in TEMPLATE_KEYS or name in level.template_by_name or name == NO_TEMPLATE:
+            if key.lower() not in TEMPLATE_KEYS or name in known or name == NO_TEMPLATE:
                 continue
             yield Finding(
                 Label(owner.span),
-                f"{owner.title} has {key}={value}, but the level defines no template of that name",
-                did_you_mean(name, level.template_by_name) or "define it, unless the game's static.jkl has it",
+                f"{owner.title} has {key}={value}, but {missing}",
+                did_you_mean(name, known) or "define it, unless the game's static.jkl has it",
                 owner.subject,
             )
