@@ -8,6 +8,7 @@ the edge. The exit status is 1 if `balanced` differs in such a piece.
 from __future__ import annotations
 
 import argparse
+import itertools
 import sys
 import time
 from collections.abc import Iterator
@@ -19,7 +20,6 @@ from benchmarks.sight_queries import levels
 from jktools.facts.ledges import SAMPLES
 from jktools.geometry.exact_ledges import ExactLedges
 from jktools.geometry.ledges import BEYOND, Beyond, EdgeWalker
-import itertools
 
 SAME_DROP = 1e-9
 

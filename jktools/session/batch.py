@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
 from jktools.compiler import CompileError, CompileSettings, PassError, compilation
@@ -279,7 +279,9 @@ def _built_in_processes(
 ) -> Built:
     # Spawned, not forked: a fork would copy locks that native threads may hold.
     context = multiprocessing.get_context("spawn")
-    start = (tuple(paths), settings, compiling)
+    # What a build reads of the settings, in mappings that can be sent to another process.
+    plain = replace(settings, severity={}, options={}, ignores=(), verbs=dict(settings.verbs))
+    start = (tuple(paths), plain, compiling)
     with ProcessPoolExecutor(jobs, context, _start_worker, start) as pool:
         waiting = [pool.submit(_work, number, target) for number, target in enumerate(targets)]
         for done, (member, each) in enumerate(zip(members, waiting, strict=True)):

@@ -15,7 +15,7 @@ from jktools.model import Level
 
 FLUSH = 1e-3
 """JKU between the surface and a floor at its edge."""
-LEAST_NORMAL_Z = 0.9
+LEAST_NORMAL_Z = 0.99
 """Steeper surfaces are slopes that may be left without the flag on purpose."""
 SHORTEST = 0.1
 """JKU of each floor's edge along the surface."""
@@ -61,7 +61,8 @@ def floor_flag_missing(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             along[int(ledges.below[row])][int(ledges.surface[row])] += float(ledges.length[row])
         for index in sorted(set(along) - reported):
             floors = [floor for floor, length in sorted(along[index].items()) if length >= SHORTEST]
-            if len(floors) < 2 or facts.corners.normal[index, 2] < LEAST_NORMAL_Z:
+            narrow = _width(facts, index) < ledges.walker.body.movesize
+            if len(floors) < 2 or narrow or facts.corners.normal[index, 2] < LEAST_NORMAL_Z:
                 continue
             reported.add(index)
             surface = level.surfaces[index]
@@ -71,3 +72,10 @@ def floor_flag_missing(level: Level, facts: LevelFacts) -> Iterator[Finding]:
                 "add 0x1 to its flags, or mark it as ice (0x1000) if that is meant",
                 surface.subject,
             )
+
+
+def _width(facts: LevelFacts, surface: int) -> float:
+    """A measure of how wide a surface is, JKU: twice its area over its outline, a strip's width."""
+    corners = facts.corners
+    outline = float(np.linalg.norm(corners.edge[corners.surface == surface], axis=1).sum())
+    return float(np.linalg.norm(corners.area[surface])) / max(outline, 1e-9)
