@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cache
 
 from jktools.engine.body import Body
 from jktools.engine.flags import PhysicsFlag
@@ -70,24 +71,27 @@ class Walker:
     def deadly_drop(self) -> float:
         """The least drop, JKU, whose landing costs all of `FULL_HEALTH`; infinite where none does.
 
-        From the hover height with no speed along z, to where the sphere touches.
+        For a fall without a speed along z at its start.
         """
-        if not self.gravity > 0:
-            return math.inf
-        low, high = 0.0, MOST_DROP
-        if self._damage(high) < FULL_HEALTH:
-            return math.inf
-        while high - low > DROP_STEP:
-            middle = (low + high) / 2
-            low, high = (low, middle) if self._damage(middle) >= FULL_HEALTH else (middle, high)
-        return high
-
-    def _damage(self, drop: float) -> float:
-        return float(fall_damage(landing_speed(drop, 0.0, self.body.airdrag, self.gravity)))
+        return _deadly_drop(self.body.airdrag, self.gravity)
 
     def jump(self, engine: Engine) -> float:
         """The highest floor that it jumps onto, JKU."""
         return self.apex() + self.clearance(engine)
+
+
+@cache
+def _deadly_drop(airdrag: float, gravity: float) -> float:
+    def damage(drop: float) -> float:
+        return float(fall_damage(landing_speed(drop, 0.0, airdrag, gravity)))
+
+    low, high = 0.0, MOST_DROP
+    if not gravity > 0 or damage(high) < FULL_HEALTH:
+        return math.inf
+    while high - low > DROP_STEP:
+        middle = (low + high) / 2
+        low, high = (low, middle) if damage(middle) >= FULL_HEALTH else (middle, high)
+    return high
 
 
 def walkers(level: Level, reached: Iterable[Resolved] | None = None) -> tuple[Walker, ...]:

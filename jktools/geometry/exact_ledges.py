@@ -6,6 +6,7 @@ edge at `BEYOND`, and what that word means. Minutes for a large level.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
@@ -17,7 +18,6 @@ from jktools.geometry.drop import Ending, ground_of
 from jktools.geometry.ledges import BEYOND, Beyond, EdgeWalker, Gait, Over
 from jktools.geometry.mesh import BLOCKS, SectorMesh, mesh_arrays
 from jktools.model import Level
-import itertools
 
 Float64 = npt.NDArray[np.float64]
 Point = tuple[Fraction, Fraction, Fraction]
