@@ -1,6 +1,7 @@
 #include "geometry/visibility_flow.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace jk::vis {
 namespace {
@@ -62,19 +63,17 @@ private:
         const Frame& frame = frames_[depth_ - 1];
         const Portal& portal = portals_[target];
         Winding pass = portal.winding;
-        if (!clip(pass, portals_[start_].after(pass, precision_), precision_)) return;
+        if (!portals_[start_].cut_after(pass, precision_)) return;
         for (const HalfSpace& half : frame.reach)
             if (!clip(pass, half, precision_)) return;
         Winding source = frame.source;
-        if (!clip(source, portal.before(source, precision_), precision_)) return;
-        if (depth_ > 1) {
-            back_.clear();
-            separators(pass, frame.pass, -1, precision_, back_);
-            for (const HalfSpace& half : back_)
-                if (!clip(source, half, precision_)) return;
-        }
+        if (!portal.cut_before(source, precision_)) return;
         row_[target / 64] |= Bits::Word{1} << target % 64;
-        if (more && deeper) return push(target, std::move(source), std::move(pass));
+        if (more && deeper) {
+            push(target, std::move(source), std::move(pass));
+            if (!drop_unreached()) pop();
+            return;
+        }
         for (std::size_t w = 0; more && w < words_; ++w) row_[w] |= might(depth_)[w];
     }
 
@@ -86,9 +85,33 @@ private:
         frame.next = known_.portals.sector_start[sector], frame.end = known_.portals.sector_start[sector + 1];
         frame.source = std::move(source), frame.pass = std::move(pass);
         frame.reach.clear();
-        if (depth_) separators(frame.source, frame.pass, 1, precision_, frame.reach);
+        if (depth_) separators(frame.source, frame.pass, precision_, frame.reach);
         on_chain_[portal] = 1;
         ++depth_;
+    }
+
+    // Takes from what the last frame might reach the unseen portals that lie outside; false when no unseen one is left.
+    bool drop_unreached() {
+        const Frame& frame = frames_[depth_ - 1];
+        Bits::Word* own = might(depth_ - 1);
+        bool more = false;
+        for (std::size_t w = 0; w < words_; ++w)
+            for (Bits::Word left = own[w] & ~row_[w]; left; left &= left - 1) {
+                const auto bit = static_cast<std::size_t>(std::countr_zero(left));
+                if (can_reach(frame, portals_[w * 64 + bit]))
+                    more = true;
+                else
+                    own[w] &= ~(Bits::Word{1} << bit);
+            }
+        return more;
+    }
+
+    // Whether a segment can cross the frame's source, its pass, and some time later the portal: a part of the portal is
+    // within reach, and source and pass each have a part before it. Both windings only shrink as the chain grows.
+    bool can_reach(const Frame& frame, const Portal& portal) const {
+        for (const HalfSpace& half : frame.reach)
+            if (!touches(half, portal.box, precision_)) return false;
+        return portal.may_be_before(frame.source) && portal.may_be_before(frame.pass);
     }
 
     void pop() {
@@ -106,7 +129,6 @@ private:
     std::vector<Frame> frames_;  // the chain is the first `depth_`; the rest keep their memory
     std::size_t depth_ = 0;
     std::vector<Bits::Word> might_;  // a row for each depth
-    HalfSpaces back_;
 };
 
 }  // namespace

@@ -1,10 +1,13 @@
 // Portal flow: what a segment can cross after a portal, by clipping windings along every chain of portals.
 //
 // A segment that crosses source, ..., pass, target in this order meets the target within the half-spaces of
-// `separators(source, pass)` and the source within those of `separators(target, pass)`; both windings are cut down so,
-// and the chain goes on with the target as pass until one is empty. This is the method of Quake's vis, with
-// certified half-spaces. A chain never holds a portal twice: what comes after its second crossing can come after the
-// first.
+// `separators(source, pass)` and the source before the target's plane; both windings are cut down so, and the chain goes
+// on with the target as pass until one is empty. This is the method of Quake's vis, with certified half-spaces. A chain
+// never holds a portal twice: what comes after its second crossing can come after the first.
+//
+// What lies outside the half-spaces of a chain stays out however far the chain goes on: a chain whose unseen portals all
+// do ends at once. Quake's vis also cuts the source by `separators(target, pass)`. That took a third of the time
+// and brought next to nothing (0.04 % of the visible pairs of azulcity): what is asked both ways already knows it.
 #pragma once
 
 #include "geometry/visibility_portals.hpp"
@@ -32,7 +35,7 @@ public:
 
 // Chains tried for one portal. Beyond them no chain is made longer: all that the flood reaches from where it then ends
 // counts as seen. Where thousands of chains cross one open room, a longer search would bring next to nothing.
-inline constexpr std::size_t kMostChains = std::size_t{1} << 13;
+inline constexpr std::size_t kMostChains = std::size_t{1} << 11;
 
 // Answers what portal p sees into `row`, zero before. False when some chains were cut short, or it was stopped.
 bool flow(const Known& known, std::size_t p, Bits::Word* row, Stop& stop);

@@ -120,6 +120,23 @@ HalfSpace Portal::after(const Winding& other, const Precision& precision) const 
     return {-1 * normal, corner, -slack(other, precision)};
 }
 
+bool Portal::may_be_before(const Winding& other) const {
+    const double least = -most_slack - 4 * other.radius;  // the lean is 2 at most or infinite
+    return std::any_of(other.points.begin(), other.points.end(),
+                       [&](const Point& p) { return !(height(p) < least); });
+}
+
+// What lies wholly on the side of the plane that is wanted lies there with any slack.
+bool Portal::cut_before(Winding& other, const Precision& precision) const {
+    if (holds({normal, corner, -bend - precision.error}, other, precision)) return true;
+    return clip(other, before(other, precision), precision);
+}
+
+bool Portal::cut_after(Winding& other, const Precision& precision) const {
+    if (holds({-1 * normal, corner, -bend - precision.error}, other, precision)) return true;
+    return clip(other, after(other, precision), precision);
+}
+
 Portals::Portals(const SectorMesh& mesh, const Fans& fans, std::span<const Index> leads_to)
     : precision(precision_of(mesh)) {
     sector_start.push_back(0);
@@ -144,6 +161,8 @@ Portals::Portals(const SectorMesh& mesh, const Fans& fans, std::span<const Index
         sector_start.push_back(static_cast<Index>(portals.size()));
     }
     find_twins();
+    // The error is 2^-49 of the level's size, which is no less than any distance in it.
+    for (Portal& p : portals) p.most_slack = p.bend + p.lean * 0x1p50 * precision.error + precision.error;
 }
 
 // A surface and its mirror have the same corners, or either has more of them along its edges. The portals of both then

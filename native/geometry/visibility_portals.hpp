@@ -21,6 +21,7 @@ struct Portal {
     Winding winding;
     Point normal, corner;  // the normal points into the sector that the portal leaves
     double lean, bend;
+    double most_slack;  // of the planes that `before` and `after` give, for any winding of the level
     Index from, to, surface;
     Index twin;  // the portal on the other side, that leads back, -1 where there is none
     bool flat;   // all points in one plane, exactly
@@ -30,6 +31,12 @@ struct Portal {
     // The part of the winding's room that a segment can pass before it crosses the portal, or after.
     HalfSpace before(const Winding& winding, const Precision& precision) const;
     HalfSpace after(const Winding& winding, const Precision& precision) const;
+
+    // False when the winding is certainly behind the portal, all of it.
+    bool may_be_before(const Winding& winding) const;
+    // The same as clipping by `before` and `after`, and quicker where nothing is cut.
+    bool cut_before(Winding& winding, const Precision& precision) const;
+    bool cut_after(Winding& winding, const Precision& precision) const;
 
 private:
     double slack(const Winding& winding, const Precision& precision) const;

@@ -16,12 +16,7 @@ constexpr double kLeastSquare = 0x1p-900;
 // A tilt greater than this would cost more than the half-space brings.
 constexpr double kMostTilt = 0x1p-10;
 
-bool unit(Point& n) {
-    const double squared = dot(n, n);
-    if (!(squared > kLeastSquare) || !(squared < 1 / kLeastSquare)) return false;
-    n = (1 / std::sqrt(squared)) * n;
-    return true;
-}
+bool is_measurable(double squared) { return squared > kLeastSquare && squared < 1 / kLeastSquare; }
 
 double distance(const Point& p, const Point& a, const Point& b) {
     const Point along = b - a, from = p - a;
@@ -59,22 +54,21 @@ private:
 bool parts(const Winding& source, const Winding& pass, const Precision& precision, HalfSpace& half) {
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
     for (const Point& p : pass.points) least = std::min(least, dot(half.n, p - half.at));
-    least -= precision.error + pass.radius * kUnitSlack;
+    half.least = least - (precision.error + pass.radius * kUnitSlack);
     for (const Point& s : source.points) greatest = std::max(greatest, dot(half.n, s - half.at));
-    half.least = least;
-    return greatest + precision.error + source.radius * kUnitSlack < least;
+    return greatest + precision.error + source.radius * kUnitSlack < half.least;
 }
 
 // The half-spaces through the edges of one winding that touch the other one. `side` is -1 when the edges are the
 // source's, 1 when they are the pass's: where the other winding must lie is -side.
-void through_edges(const Winding& source, const Winding& pass, double side, double turn, const Precision& precision,
+void through_edges(const Winding& source, const Winding& pass, double side, const Precision& precision,
                    HalfSpaces& out) {
     const Winding &edges = side < 0 ? source : pass, &other = side < 0 ? pass : source;
     const std::size_t count = edges.points.size();
     const double clear = 4 * (precision.error + source.radius + pass.radius);
     for (std::size_t i = 0; i < count; ++i) {
         const Point &v = edges.points[i], &w = edges.points[i + 1 == count ? 0 : i + 1];
-        const Point along = turn * (w - v);
+        const Point along = w - v;
         Point touched = other.points[0] - v, n = cross(touched, along);
         for (std::size_t k = 1; k < other.points.size(); ++k) {
             const Point reach = other.points[k] - v;
@@ -84,10 +78,11 @@ void through_edges(const Winding& source, const Winding& pass, double side, doub
         }
         // Turned about the edge by as much as parts the other winding from it: n stays a unit vector but for the square
         // of the turn.
-        const Point aside = touched - dot(touched, along) / dot(along, along) * along;
-        const double squared = dot(aside, aside), lift = clear / squared;
-        if (!(lift * lift * squared < kMostTilt * kMostTilt) || !unit(n)) continue;
-        n = n + (-side * lift) * aside;
+        const double squared = dot(n, n), edge = dot(along, along);
+        const double shrink = 1 / std::sqrt(squared), turned = clear * shrink;
+        if (!is_measurable(squared) || !(turned * turned * edge < kMostTilt * kMostTilt)) continue;
+        const Point aside = edge * touched - dot(touched, along) * along;
+        n = shrink * n + (-side * turned * shrink) * aside;
         HalfSpace half{n, v, 0};
         if (parts(source, pass, precision, half)) out.push_back(half);
     }
@@ -95,7 +90,21 @@ void through_edges(const Winding& source, const Winding& pass, double side, doub
 
 }  // namespace
 
+bool touches(const HalfSpace& half, const Box& box, const Precision& precision) {
+    const double n[] = {half.n.x, half.n.y, half.n.z}, at[] = {half.at.x, half.at.y, half.at.z};
+    double greatest = 0;
+    for (int k = 0; k < 3; ++k) greatest += std::max(n[k] * (box.low[k] - at[k]), n[k] * (box.high[k] - at[k]));
+    return greatest - half.least + precision.error >= 0;
+}
+
+bool holds(const HalfSpace& half, const Winding& winding, const Precision& precision) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Point& p : winding.points) least = std::min(least, dot(half.n, p - half.at));
+    return least + winding.radius * kUnitSlack - half.least + precision.error >= 0;
+}
+
 bool clip(Winding& winding, const HalfSpace& half, const Precision& precision) {
+    if (holds(half, winding, precision)) return true;
     const Cut cut(winding, half, precision);
     const std::size_t count = winding.points.size();
     const auto next = [&](std::size_t i) { return i + 1 == count ? 0 : i + 1; };
@@ -125,9 +134,9 @@ bool clip(Winding& winding, const HalfSpace& half, const Precision& precision) {
     return true;
 }
 
-void separators(const Winding& source, const Winding& pass, double turn, const Precision& precision, HalfSpaces& out) {
-    through_edges(source, pass, -1, turn, precision, out);
-    through_edges(source, pass, 1, turn, precision, out);
+void separators(const Winding& source, const Winding& pass, const Precision& precision, HalfSpaces& out) {
+    through_edges(source, pass, -1, precision, out);
+    through_edges(source, pass, 1, precision, out);
 }
 
 }  // namespace jk::vis

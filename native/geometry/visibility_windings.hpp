@@ -9,6 +9,8 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include "geometry/boxes.hpp"
+
 namespace jk::vis {
 
 struct Point {
@@ -42,6 +44,12 @@ struct HalfSpace {
 
 using HalfSpaces = boost::container::small_vector<HalfSpace, 12>;
 
+// False when the whole box, whose corners are coordinates of the level, is certainly outside the half-space.
+bool touches(const HalfSpace& half, const Box& box, const Precision& precision);
+
+// Whether no point of the winding is certainly outside the half-space: `clip` then leaves it as it is.
+bool holds(const HalfSpace& half, const Winding& winding, const Precision& precision);
+
 // Cuts away what lies outside the half-space. False when nothing is left.
 //
 // Points certainly outside go; a cut is made between each point that stays and the next one that goes, at the place
@@ -55,8 +63,8 @@ bool clip(Winding& winding, const HalfSpace& half, const Precision& precision);
 // y = p + k (p - s), k >= 0, with p of the pass and s of the source: when n.s < d <= n.p for all of them, n.y >= d.
 // The candidates hold an edge of one winding and touch the other, tilted about that edge by more than the rounding;
 // one that does not strictly part the two windings, radii and rounding included, is left out. Windings that touch
-// have none. `turn` is 1 when the points of both turn counter-clockwise seen from before the source, -1 when
-// clockwise: it only decides which candidates are tried.
-void separators(const Winding& source, const Winding& pass, double turn, const Precision& precision, HalfSpaces& out);
+// have none.
+// Only planes on one side of an edge are tried: the points of both turn counter-clockwise seen from before the source.
+void separators(const Winding& source, const Winding& pass, const Precision& precision, HalfSpaces& out);
 
 }  // namespace jk::vis
