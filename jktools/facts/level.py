@@ -13,7 +13,7 @@ from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_sight, runners, with_created
 from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
-from jktools.facts.openings import named_by_cogs
+from jktools.facts.openings import MOVEMENT, VISIBLE, opened_by_cogs
 from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
@@ -145,8 +145,13 @@ class LevelFacts:
 
     @cached_property
     def openable_surfaces(self) -> Int32:
-        """Surfaces that COGs may make see-through; no script is read, so all that a placed COG's values can name."""
-        return named_by_cogs(self.level)
+        """Surfaces that COGs may make see-through; of a script that cannot be read, all that its values can name."""
+        return opened_by_cogs(self.level, self.instances, VISIBLE)
+
+    @cached_property
+    def enterable_surfaces(self) -> Int32:
+        """Surfaces that COGs may let things pass through; of a script that cannot be read, as `openable_surfaces`."""
+        return opened_by_cogs(self.level, self.instances, MOVEMENT)
 
     @cached_property
     def visibility(self) -> VisibleSectors:

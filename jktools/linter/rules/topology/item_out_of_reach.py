@@ -36,7 +36,7 @@ def item_out_of_reach(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World things 4
         2: shield shield .5 1.5 .2 0 0 0 1
     """
-    for island in islands(level, facts.openable_surfaces):
+    for island in islands(level, facts.enterable_surfaces):
         if island.items:
             first, *rest = island.items
             more = (

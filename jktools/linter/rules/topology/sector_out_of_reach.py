@@ -33,7 +33,7 @@ def sector_out_of_reach(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World cogs 0
         - 0: door.cog 3 -1 wind.wav
     """
-    for island in islands(level, facts.openable_surfaces):
+    for island in islands(level, facts.enterable_surfaces):
         if not island.items:
             first = level.sectors[island.sectors[0]]
             size = f"{len(island.sectors)} sectors" if len(island.sectors) > 1 else "one sector"
