@@ -1,9 +1,9 @@
 """Visibility of real levels: seconds at each tier, how tight it is, and how the time grows with the portals.
 
-`python -m benchmarks.bench_visibility`; `--exact` adds the exact tier, which takes minutes. One thread, the median of
-three runs for all but the exact tier. For scale: on azulcity (289 sectors, 525 adjoins that can be seen through),
-ericw-tools' vis takes 0.018 s for its base and 0.10 s for its full pass, from 100 to 31.9 visible sectors a sector,
-measured once on another machine; it is not run here.
+`python -m benchmarks.bench_visibility`; `--exact` adds the exact tier, which takes minutes. Processor time on one
+thread, the median of three runs for all but the exact tier. For scale: on azulcity (289 sectors, 525 adjoins that can
+be seen through), ericw-tools' vis takes 0.018 s for its base and 0.10 s for its full pass, from 100 to 31.9 visible
+sectors a sector, measured once on another machine; it is not run here.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from benchmarks.visibility_missed import sample
 from jktools.geometry import Accuracy, SectorMesh, VisibleSectors
 
 RUNS = 3
-SEGMENTS = 50
+SEGMENTS = 20
 """A pair of sectors, for the share of visible pairs that a segment was found for."""
 
 
@@ -32,12 +32,12 @@ class Row(NamedTuple):
 
 
 def timed(mesh: SectorMesh, accuracy: Accuracy, runs: int, threads: int = 1) -> tuple[float, VisibleSectors]:
-    """The median time of some runs, in seconds, and the answer."""
+    """The median processor time of some runs, in seconds, and the answer."""
     times = []
     for _ in range(runs):
-        start = time.perf_counter()
+        start = time.process_time()
         found = mesh.visible_sectors(accuracy, threads)
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     return statistics.median(times), found
 
 
