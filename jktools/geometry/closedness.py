@@ -1,4 +1,9 @@
-"""Whether each sector's surfaces close it: every edge of one must run back along others."""
+"""Whether each sector's surfaces close it: every edge of one must run back along others.
+
+Made for rules, where vertices that lie along an edge are no fault: edges are laid along each other, within a tolerance.
+`jktools.geometry.soundness.sector_closure` asks something else, whether edges match one for one and exactly, as it must
+be for the volume that it gives to mean anything. A sector that is closed here may be open there, and the volume needs the mesh: so there are two.
+"""
 
 from __future__ import annotations
 
