@@ -140,10 +140,23 @@ def walk(*body: str) -> list[str]:
     (['if (HasLOS(turret, turret) == 1) Print("seen");'], 32),  # not one of the things in view: a list's length
     (["if (HasLOS(turret, victim) == 1) DamageThing(victim, 1, 1, turret);"], 4),
     (["if (HasLOS(turret, victim) == 1) victim = FirstThingInView(turret, 90, 10, 0x404);"], math.inf),
+    (['if (HasLOS(turret, victim) == 1) Print("seen");', "FirstThingInView(turret, 90, 10, 0x404);"], math.inf),
 ])  # fmt: skip
 def test_what_ends_a_loop_over_things_in_view(body: list[str], most: float) -> None:
     by_verb = {h.site.verb.name: h for h in guarded(3, *walk(*body))}
     assert by_verb["haslos"].per_run == {"pulse": most}
+
+
+def test_a_bound_takes_it_that_other_scripts_may_start_the_list_anew() -> None:
+    disturbed, alone = (
+        next(h for h in guarded(3, *walk(body)) if h.site.verb.name == "haslos")
+        for body in (
+            "if (HasLOS(turret, victim) == 1) DamageThing(victim, 1, 1, turret);",
+            'if (HasLOS(turret, victim) == 1) Print("seen");',
+        )
+    )
+    bounds = [h.runner.analysis.rates.repeats_of("pulse", h.site).per_run for h in (disturbed, alone)]
+    assert bounds == [math.inf, 32]
 
 
 @pytest.mark.parametrize(("distance", "sectors", "surfaces"), [("10", 2, 2), ("2", 2, 2), ("1", 2, 1), ("0", 2, 1)])
