@@ -168,7 +168,7 @@ def ledges_of(
     kinds = {each: _classed(found, limits[each], walker, each) for each in Engine}
     down = np.isin(kinds[engine], (Kind.FALL, Kind.NONE, Kind.WATER))
     thing = np.full(len(found.edge), -1, np.int32)
-    thing[down] = platforms.near(edges, Beyond(*(column[down] for column in found)))
+    thing[down] = platforms.near(edges, Beyond(**{name: column[down] for name, column in found._asdict().items()}))
     narrow = down & ~(np.fmin(found.past, found.far) > own.reattach)
     for kind in kinds.values():
         kind[thing >= 0] = Kind.UNKNOWN
