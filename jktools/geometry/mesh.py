@@ -235,7 +235,8 @@ class SectorMesh:
             raise ValueError(f"surface {wrong[0]} is out of bounds: there are {len(leads_to)}")
         leads_to[chosen] = self._behind[chosen]
         rows, portals, cut_short = native_visibility(self._viewer, leads_to, accuracy, threads, progress)
-        return VisibleSectors(rows.reshape(len(self._known), -1), portals, cut_short)
+        count = len(self._known)
+        return VisibleSectors(rows.reshape(count, (count + 7) // 8), portals, cut_short)
 
     def doubts(self, origins: npt.ArrayLike, sectors: npt.ArrayLike, targets: npt.ArrayLike) -> tuple[int, int]:
         """Count the sectors, and the whole queries, that `balanced` must search completely: for benchmarks."""

@@ -12,7 +12,6 @@ from jktools.geometry import SectorMesh
 from tests.geometry.portal_levels import Level, Queries, level_of, queries_of
 from tests.geometry.test_sight_extremes import MOVES, cut_cells
 
-
 Bool = npt.NDArray[np.bool_]
 Int32 = npt.NDArray[np.int32]
 
