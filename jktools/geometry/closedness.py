@@ -2,7 +2,8 @@
 
 Made for rules, where vertices that lie along an edge are no fault: edges are laid along each other, within a tolerance.
 `jktools.geometry.soundness.sector_closure` asks something else, whether edges match one for one and exactly, as it must
-be for the volume that it gives to mean anything. A sector that is closed here may be open there, and the volume needs the mesh: so there are two.
+be for the volume that it gives to mean anything. A sector that is closed here may be open there, and the volume needs
+the mesh: so there are two.
 """
 
 from __future__ import annotations

@@ -52,8 +52,8 @@ class Overlaps(NamedTuple):
 def sector_closure(mesh: SectorMesh) -> Closure:
     """Match each sector's directed edges by exact position and measure its volume.
 
-    An edge that runs back along two shorter ones is open here: the fans do not bound a solid then, to the bit. For rules
-    `open_edges` lays edges along each other with a tolerance, and such an edge is closed; it works on a level's
+    An edge that runs back along two shorter ones is open here: the fans do not bound a solid then, to the bit. For
+    rules `open_edges` lays edges along each other with a tolerance, and such an edge is closed; it works on a level's
     corners and tells no volume.
     """
     count, surface, corner, length, volume, certain = native_closure(mesh.native)
