@@ -12,6 +12,9 @@
 namespace jk {
 namespace {
 
+// As kMostChains, and more of them: this tier may take its time.
+constexpr std::size_t kMostExactChains = 4 * vis::kMostChains;
+
 using Number = DoubleDouble;
 using Vector = std::array<Number, 3>;
 
@@ -75,14 +78,14 @@ public:
             if (!pass_through(last, chain.size() == 1, target, source, pass)) continue;
             row[target / 64] |= vis::Bits::Word{1} << target % 64;
             if (!more) continue;
-            if (tried >= vis::kMostChains) {
+            if (tried >= kMostExactChains) {
                 for (std::size_t w = 0; w < words_; ++w) row[w] |= might[w];
                 continue;
             }
             std::vector<Half> reach = parting(source, pass);
             chain.push_back(link(target, std::move(source), std::move(pass), std::move(might), std::move(reach)));
         }
-        return tried < vis::kMostChains;
+        return tried < kMostExactChains;
     }
 
 private:
