@@ -10,9 +10,13 @@ from jktools.facts.cog.dataflow import Known
 from jktools.facts.cog.rates import Rates
 from jktools.facts.cog.reach import Reach
 from jktools.model.cog.program import Program, Vocabulary
-from jktools.source import Span
-from jktools.syntax.cog import Script
+from jktools.model.resources import Library
+from jktools.source import Member, Span
+from jktools.syntax.cog import Script, read_script
 from jktools.syntax.cog.nodes import Node, Unreadable
+
+WEIGHT = 30
+"""Bytes that a script and all that is known of it take, for each byte of its text; measured on real scripts."""
 
 
 class ScriptFacts:
@@ -54,7 +58,7 @@ class ScriptFacts:
     @cached_property
     def is_whole(self) -> bool:
         """Whether all of the code could be read, so that what is not there is missing."""
-        return not any(isinstance(s, Unreadable) for s in self.program.statements)
+        return not self.program.of_kind(Unreadable)
 
     def span(self, node: Node) -> Span:
         """Where a node stands."""
@@ -63,3 +67,18 @@ class ScriptFacts:
     def label(self, node: Node, text: str = "") -> Label:
         """A label at a node."""
         return Label(self.span(node), text)
+
+
+def script_facts(library: Library, member: Member, vocabulary: Vocabulary) -> ScriptFacts:
+    """The facts of a script, read and worked out once a run, however many levels place it and whoever asks.
+
+    Raises InputError when the file cannot be opened.
+    """
+    what = f"script of {vocabulary.game}"
+    kept = library.recall(member.path, what)
+    if isinstance(kept, ScriptFacts) and kept.vocabulary == vocabulary:
+        return kept
+    source = library.source(member)
+    facts = ScriptFacts(read_script(source, vocabulary.game), vocabulary)
+    library.keep(member.path, what, WEIGHT * len(source.data), facts)
+    return facts

@@ -190,8 +190,8 @@ def _verbs(facts: ScriptFacts) -> Iterator[VerbSummary]:
     for site in facts.rates.sites:
         sites.setdefault(site.verb.name, []).append(site)
     calls: dict[str, list[Call]] = {}
-    for part in program.expressions:
-        if isinstance(part, Call) and isinstance(part.callee, Name):
+    for part in program.of_kind(Call):
+        if isinstance(part.callee, Name):
             calls.setdefault(part.callee.name, []).append(part)
     for name, found in calls.items():
         verb = program.verb_of(found[0])

@@ -29,8 +29,8 @@ def condition_ended_by_semicolon(script: Script, facts: ScriptFacts) -> Iterator
                 stop;
     """
 
-    for statement in facts.program.statements:
-        if isinstance(statement, If) and isinstance(statement.then, Empty) and statement.otherwise is None:
+    for statement in facts.program.of_kind(If):
+        if isinstance(statement.then, Empty) and statement.otherwise is None:
             yield Finding(
                 facts.label(statement.then),
                 "the semicolon is all that the if decides about, but more seems to be meant",
