@@ -40,14 +40,18 @@ bench: $(VENV)/built
 	python -m benchmarks.bench_sight
 	python -m benchmarks.bench_drop
 	python -m benchmarks.bench_visibility
+	python -m benchmarks.bench_ledges
 
 # The tests that grow with the time they are given: every corpus level, thousands of random faults, a million queries.
 fuzz: $(VENV)/built
 	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py tests/geometry/test_occluders.py
 	python -m benchmarks.sight_disagreement --queries 1000000
+	python -m benchmarks.sees_disagreement --queries 1000000
 	python -m benchmarks.drop_disagreement --queries 1000000
 	python -m benchmarks.visibility_missed --level azulcity --each 2000
 	python -m benchmarks.visibility_missed --each 20
+	python -m benchmarks.ledge_disagreement --places 20000
+	python -m benchmarks.ledge_tiers
 
 fresh:
 	tests/fresh.sh

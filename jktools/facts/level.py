@@ -5,9 +5,16 @@ from __future__ import annotations
 from functools import cached_property
 
 from jktools import geometry
+from jktools.engine.profile import Engine
+from jktools.facts.basins import Basin, Touched, basins_of, touched_by_scripts
+from jktools.facts.bodies import Walker, walkers
+from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_sight, runners, with_created
+from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
 from jktools.facts.openings import named_by_cogs
+from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
 from jktools.facts.script import ScriptFacts, script_facts
@@ -27,6 +34,7 @@ from jktools.geometry import (
     VisibleSectors,
 )
 from jktools.geometry.collision import Collision
+from jktools.geometry.ledges import EdgeWalker
 from jktools.geometry.validity import Int32
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
@@ -41,7 +49,9 @@ class LevelFacts:
     def __init__(self, level: Level, vocabulary: Vocabulary | None = None) -> None:
         """Know nothing yet; `vocabulary` has the verbs of the user's own build, for the level's scripts."""
         self.level = level
+        self._ledges: dict[tuple[Walker, Engine, str], Ledges] = {}
         self.vocabulary = vocabulary or Vocabulary(level.game)
+        self._scripts: dict[str, ScriptFacts | None] = {}
         self._cels: dict[int, int | None] = {}
 
     @cached_property
@@ -77,7 +87,7 @@ class LevelFacts:
     @cached_property
     def reach(self) -> Reach:
         """The templates and files that the level can reach in play."""
-        return reach(self.level, lambda name: self.scripts.get(name) or self._script(name))
+        return reach(self.level, self.script)
 
     @cached_property
     def carriers(self) -> Carriers:
@@ -88,6 +98,44 @@ class LevelFacts:
     def movers(self) -> list[Mover]:
         """The placed things with frames of their own."""
         return movers(self.level)
+
+    @cached_property
+    def bodies(self) -> tuple[Walker, ...]:
+        """The distinct bodies that walk in the level, players first."""
+        known = self.reach
+        templates = self.level.resolved_templates.entries
+        return walkers(self.level, [t for t in templates if known.has(t)] if known.is_complete else templates)
+
+    @cached_property
+    def edges(self) -> EdgeWalker:
+        """The edges of the floors."""
+        return EdgeWalker(self.level)
+
+    @cached_property
+    def platforms(self) -> Platforms:
+        """The things that bodies can stand on, wherever they come to."""
+        return Platforms(self.level)
+
+    def ledges(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> Ledges:
+        """What a body whose hover height is known meets beyond each edge of each floor."""
+        key = (walker, engine, accuracy)
+        if key not in self._ledges:
+            self._ledges[key] = ledges_of(self.level, self.edges, walker, self.platforms, engine, accuracy)
+        return self._ledges[key]
+
+    @cached_property
+    def player_ledges(self) -> tuple[Ledges, ...]:
+        """The ledges of each player's body whose hover height is known, for rules."""
+        return tuple(self.ledges(each) for each in self.bodies if each.hovers and each.body.player)
+
+    @cached_property
+    def touched(self) -> Touched:
+        """The sectors and surfaces that placed scripts name."""
+        return touched_by_scripts(self.level, self.instances)
+
+    def basins(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> tuple[Basin, ...]:
+        """Where a body whose hover height is known comes down to, and what leads out."""
+        return basins_of(self.level, self.ledges(walker, engine, accuracy), self.platforms, self.touched)
 
     @cached_property
     def overlaps(self) -> Overlaps:
@@ -143,7 +191,14 @@ class LevelFacts:
     @cached_property
     def scripts(self) -> dict[str, ScriptFacts | None]:
         """The scripts that the level places, by lower-case name; None for one that cannot be found."""
-        return {name: self._script(name) for name in dict.fromkeys(cog.name.lower() for cog in self.level.cogs)}
+        return {name: self.script(name) for name in dict.fromkeys(cog.name.lower() for cog in self.level.cogs)}
+
+    def script(self, name: str) -> ScriptFacts | None:
+        """A script by its name, read once; None for one that cannot be found."""
+        key = name.lower()
+        if key not in self._scripts:
+            self._scripts[key] = self._script(key)
+        return self._scripts[key]
 
     def _script(self, name: str) -> ScriptFacts | None:
         found = self.level.resources.find(Kind.COG, name)
@@ -168,6 +223,25 @@ class LevelFacts:
             found.append(InstanceFacts(cog, script, -1 if refused else number))
             number += not refused
         return tuple(found)
+
+    @cached_property
+    def runners(self) -> list[Runner]:
+        """The scripts that run: the placed ones, and class COGs with the things that carry them."""
+        return runners(self.level, self.instances, self.script)
+
+    @cached_property
+    def changeable_surfaces(self) -> frozenset[int]:
+        """Surfaces that a script can open to sight and movement, or shut."""
+        others = [runner.analysis for runner in self.runners if runner.cog is None]
+        return changeable_surfaces(self.level, self.instances, others)
+
+    @cached_property
+    def hotspots(self) -> list[Hotspot]:
+        """The calls of verbs of sight, the dearest first."""
+        if not any(asks_for_sight(runner) for runner in self.runners):
+            return []
+        scripts = with_created(self.level, self.runners, self.reach)
+        return Scene(self.level, scripts, SightWork(self.level, self.mesh, self.changeable_surfaces)).hotspots()
 
     def cel_count(self, material: int) -> int | None:
         """How many cels a material of the level's list has; None where its file is not at hand or is broken."""
