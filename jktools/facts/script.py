@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
 
 from jktools.diagnostics import Label
@@ -58,7 +59,21 @@ class ScriptFacts:
     @cached_property
     def is_whole(self) -> bool:
         """Whether all of the code could be read, so that what is not there is missing."""
-        return not self.program.of_kind(Unreadable)
+        read = self.script.code.body or not self.script.rejected
+        return bool(read) and not self.program.of_kind(Unreadable)
+
+    def is_doubtful(self, start: int, end: int) -> bool:
+        """Whether the engine stops, or drops a quote, in a range of bytes or next to it.
+
+        What stands there was read by guess, and the fault says more than whatever else can be said of it.
+        """
+        return any(first <= end and start <= last for first, last in self._doubts)
+
+    @cached_property
+    def _doubts(self) -> Sequence[tuple[int, int]]:
+        spans = [fault.label.span for fault in self.script.faults]
+        found = [(span.start, span.end) for span in spans if span is not None]
+        return [*found, *((stray.start, stray.end) for stray in self.script.strays if stray.text in "\"'")]
 
     def span(self, node: Node) -> Span:
         """Where a node stands."""

@@ -30,9 +30,12 @@ def condition_ended_by_semicolon(script: Script, facts: ScriptFacts) -> Iterator
     """
 
     for statement in facts.program.of_kind(If):
-        if isinstance(statement.then, Empty) and statement.otherwise is None:
+        then = statement.then
+        if not isinstance(then, Empty) or statement.otherwise is not None:
+            continue
+        if not facts.is_doubtful(statement.condition.end + 1, then.end):
             yield Finding(
-                facts.label(statement.then),
+                facts.label(then),
                 "the semicolon is all that the if decides about, but more seems to be meant",
                 "remove the semicolon",
             )

@@ -30,6 +30,8 @@ def statement_without_effect(script: Script, facts: ScriptFacts) -> Iterator[Fin
             x = 1;
     """
     for statement in facts.program.of_kind(ExprStatement):
+        if facts.is_doubtful(statement.start, statement.end):
+            continue
         parts = [statement.expression]
         while parts:
             part = parts.pop()

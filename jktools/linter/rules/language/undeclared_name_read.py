@@ -57,6 +57,8 @@ def undeclared_name_read(script: Script, facts: ScriptFacts) -> Iterator[Finding
             continue
         if name in program.labels or program.slot_of[name].index > reached:
             continue
+        if facts.is_doubtful(places[0].start, places[0].end):
+            continue
         yield Finding(
             facts.label(places[0]),
             f'nothing declares or assigns "{name}", so that it is always 0 here',

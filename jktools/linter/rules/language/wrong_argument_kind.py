@@ -54,7 +54,7 @@ def wrong_argument_kind(script: Script, facts: ScriptFacts) -> Iterator[Finding]
             continue
         for written, argument, value in zip(site.call.arguments, site.verb.args, site.arguments, strict=True):
             given = _misread(facts.program, written, argument, value)
-            if given:
+            if given and not facts.is_doubtful(written.start, written.end):
                 yield Finding(
                     facts.label(written),
                     f"{argument.name} of {site.verb.name} is a {argument.kind}, but gets {given}",
