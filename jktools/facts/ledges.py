@@ -157,7 +157,7 @@ def ledges_of(
     limits = {each: Limits.of(walker, each) for each in Engine}
     own = limits[engine]
     radius = walker.body.movesize
-    rises = min(MOST_RISES, math.ceil(walker.apex() / radius))
+    rises = math.ceil(min(walker.apex() / radius, MOST_RISES))
     gait = Gait(own.hover, radius, radius, rises)
     if accuracy == "exact":
         found = ExactLedges(level, edges).beyond(gait)
@@ -166,9 +166,9 @@ def ledges_of(
     cuts = sorted({0.0} | {c for each in limits.values() for c in _thresholds(each)})
     found = _cut(found, cuts)
     kinds = {each: _classed(found, limits[each], walker, each) for each in Engine}
-    thing = platforms.near(edges, found)
     down = np.isin(kinds[engine], (Kind.FALL, Kind.NONE, Kind.WATER))
-    thing = np.where(down, thing, -1).astype(np.int32)
+    thing = np.full(len(found.edge), -1, np.int32)
+    thing[down] = platforms.near(edges, Beyond(**{name: column[down] for name, column in found._asdict().items()}))
     narrow = down & ~(np.fmin(found.past, found.far) > own.reattach)
     for kind in kinds.values():
         kind[thing >= 0] = Kind.UNKNOWN

@@ -191,6 +191,7 @@ private:
     double close_in(double same, double other, const Found& found, double from, double to) {
         while (std::abs(other - same) * length_ > kShortest / 16) {
             const double middle = (same + other) / 2;
+            if (middle == same || middle == other) break;  // a vast edge: doubles have nothing between
             (alike(at(middle), found, from, to) ? same : other) = middle;
         }
         return (same + other) / 2;

@@ -267,3 +267,10 @@ def test_exact_measures_pits_and_slopes() -> None:
     rows = np.flatnonzero((found.surface == 0) & (found.corner == 2))
     assert [Kind(k) for k in found.kind[rows]] == [Kind.FALL, Kind.SEAMLESS, Kind.SEAMLESS]
     assert found.drop_start[rows[0]] == float(np.float32(0.4))
+
+
+@pytest.mark.parametrize("corner", ["2: 1e30 1 0", "2: 1 1e30 -1e30", "3: -1e30 1 1e28", "8: 1e30 2e30 3e29"])
+def test_a_vast_bent_floor_ends(corner: str) -> None:
+    """Where a place is closed in on, doubles may have nothing between two places while they are still far apart."""
+    edges = EdgeWalker(level_of(two_rooms("World vertices 12", corner)))
+    assert len(edges.beyond(GAIT).edge) >= len(edges.surface) > 0
