@@ -33,8 +33,9 @@ def command(
     """Show what COG scripts hold: symbols, messages and how often they come, calls, verbs.
 
     PATH is a script, a folder, a GOB, GOO or zip, or what lies in one: pack.gob!cog/x.cog. What is wrong with a script
-    is `jktools lint`'s to say; here only whether the engine refuses it, and where. --level adds, for scripts that run
-    in that level, how often each test of sight is made there and what it costs: sectors entered and surfaces tested.
+    is `jktools lint`'s to say; here only whether the engine refuses it, and where, and the exit status is then 1.
+    --level adds, for scripts that run in that level, how often each test of sight is made there and what it costs:
+    sectors entered and surfaces tested.
     """
     costs = None
     if level is not None:
@@ -61,4 +62,6 @@ def command(
         click.echo(report.as_json(told, costs) if as_json else report.as_text(told, costs), nl=False)
     for message in problems:
         problem(message)
-    return Status.USAGE if problems else Status.CLEAN
+    if problems:
+        return Status.USAGE
+    return Status.FINDINGS if any(summary.rejected for summary, _ in told) else Status.CLEAN

@@ -17,7 +17,7 @@ from jktools.facts.openings import MOVEMENT, VISIBLE, opened_by_cogs
 from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
-from jktools.facts.script import ScriptFacts
+from jktools.facts.script import ScriptFacts, script_facts
 from jktools.facts.standing import Carriers
 from jktools.geometry import (
     Accuracy,
@@ -41,7 +41,6 @@ from jktools.model.cog.program import Vocabulary
 from jktools.model.resources import Kind
 from jktools.source import InputError
 from jktools.syntax.assets.material import read_material
-from jktools.syntax.cog import read_script
 
 
 class LevelFacts:
@@ -211,10 +210,9 @@ class LevelFacts:
         if found is None:
             return None
         try:
-            source = self.level.resources.read(found)
+            return script_facts(self.level.resources.library, found.member, self.vocabulary)
         except InputError:
             return None
-        return ScriptFacts(read_script(source, self.level.game), self.vocabulary)
 
     @cached_property
     def instances(self) -> tuple[InstanceFacts, ...]:

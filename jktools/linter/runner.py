@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from functools import cache
 
 from jktools.diagnostics import MALFORMED_SUPPRESSION, UNUSED_SUPPRESSION, Diagnostic, Label, Subject
 from jktools.diagnostics.suppression import LINES, apply, suppressions
@@ -25,10 +26,20 @@ def lint(
     """
     facts = facts or facts_of(document)
     options = options or {}
-    wanted = [r for r in rules() if r.on] if chosen is None else chosen
-    running = [r for r in wanted if isinstance(document, r.looks_at)]
-    found = [d for each in running for d in _run(each, document, facts, options.get(each.code.id))]
+    if chosen is None:
+        running: Sequence[Rule] = _default(type(document))  # type: ignore[arg-type]  # every class can be hashed
+    else:
+        running = [r for r in chosen if isinstance(document, r.looks_at)]
+    found: list[Diagnostic] = []
+    for each in running:
+        _run(each, document, facts, options.get(each.code.id) if options else None, found)
     return sorted(_suppressed(document, found, running), key=lambda d: d.sort_key)
+
+
+@cache
+def _default(kind: type[Document]) -> Sequence[Rule]:
+    """The rules that are on and look at such documents."""
+    return tuple(r for r in rules() if r.on and issubclass(kind, r.looks_at))
 
 
 def _suppressed(document: Document, found: list[Diagnostic], running: Sequence[Rule]) -> list[Diagnostic]:
@@ -37,6 +48,8 @@ def _suppressed(document: Document, found: list[Diagnostic], running: Sequence[R
         return found
     styles = document.comment_styles if isinstance(document, Script) else (LINES,)
     comments, faults = suppressions(document.source, styles)
+    if not comments and not faults:
+        return found
     ran = [each.code for each in running]
     for comment in comments:
         for code in comment.codes:
@@ -54,22 +67,27 @@ def _suppressed(document: Document, found: list[Diagnostic], running: Sequence[R
     return [d for d in (*kept, *faults) if d.code not in by_comments or d.code in ran]
 
 
-def _run(each: Rule, document: Document, facts: Facts, options: Options | None) -> Iterator[Diagnostic]:
+def _run(each: Rule, document: Document, facts: Facts, options: Options | None, found: list[Diagnostic]) -> None:
+    """Add what one rule finds, or that it failed."""
     latest: Subject | None = None
     try:
         for finding in each.run(document, facts, options):
             latest = finding.subject
             if isinstance(finding, Diagnostic):
-                yield finding
+                found.append(finding)
                 continue
-            yield Diagnostic(
-                each.code, each.code.severity, finding.label, finding.message, finding.help, finding.subject,
-                finding.related,
+            found.append(
+                Diagnostic(
+                    each.code, each.code.severity, finding.label, finding.message, finding.help, finding.subject,
+                    finding.related,
+                )
             )  # fmt: skip
     except Exception as error:
         after = f" after {latest.kind} {latest.index}" if latest else ""
-        yield Diagnostic(
-            RULE_FAILED, RULE_FAILED.severity, Label(document.source),
-            f"rule {each.code} ({each.code.name}) failed{after}: {type(error).__name__}: {error}",
-            "this is a bug in jktools; please report it with the file",
+        found.append(
+            Diagnostic(
+                RULE_FAILED, RULE_FAILED.severity, Label(document.source),
+                f"rule {each.code} ({each.code.name}) failed{after}: {type(error).__name__}: {error}",
+                "this is a bug in jktools; please report it with the file",
+            )
         )  # fmt: skip

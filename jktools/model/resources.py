@@ -122,11 +122,21 @@ class Library:
 
     def keep(self, path: str, what: str, size: int, value: object) -> None:
         """Keep what was made of a file's bytes, and let go of what was not asked for longest."""
+        before, _ = self._kept.pop((path, what), (0, None))
         self._kept[path, what] = (size, value)
-        self._bytes += size
+        self._bytes += size - before
         while self._bytes > MOST_CACHED and len(self._kept) > 1:
             _, (let_go, _) = self._kept.popitem(last=False)
             self._bytes -= let_go
+
+    def source(self, member: Member) -> Source:
+        """The bytes of a file. Raises InputError when they cannot be had."""
+        kept = self.recall(member.path, "source")
+        if isinstance(kept, Source):
+            return kept
+        source = member.read()
+        self.keep(member.path, "source", len(source.data), source)
+        return source
 
 
 class Resources:
@@ -142,7 +152,8 @@ class Resources:
         self.roots = tuple(roots)
         self.has_base = has_base
         """Whether the game's own files can be known: without a base, a file that is not found proves nothing."""
-        self._library = library or Library()
+        self.library = library or Library()
+        """What the run keeps."""
         self._loose = loose
         self._found: dict[tuple[Kind, str], Found | None] = {}
 
@@ -187,12 +198,7 @@ class Resources:
 
     def read(self, found: Found) -> Source:
         """The bytes of a file. Raises InputError when they cannot be had."""
-        kept = self._library.recall(found.path, "source")
-        if isinstance(kept, Source):
-            return kept
-        source = found.member.read()
-        self._library.keep(found.path, "source", len(source.data), source)
-        return source
+        return self.library.source(found.member)
 
     def asset(self, kind: Kind, name: str) -> Asset | None:
         """A file by its kind and name, read; None when there is none, its bytes cannot be had, or it is no asset.
@@ -203,7 +209,7 @@ class Resources:
         found = self.find(kind, name)
         if found is None or kind.extension not in ASSET_EXTENSIONS:
             return None
-        kept = self._library.recall(found.path, "asset")
+        kept = self.library.recall(found.path, "asset")
         if isinstance(kept, Asset):
             return kept
         try:
@@ -211,7 +217,7 @@ class Resources:
         except InputError:
             return None
         asset = read_asset(source, kind.extension)
-        self._library.keep(found.path, "asset", len(source.data), asset)
+        self.library.keep(found.path, "asset", len(source.data), asset)
         return asset
 
     def model(self, name: str) -> Model | None:

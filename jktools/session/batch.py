@@ -13,13 +13,14 @@ from pathlib import Path, PurePosixPath
 from jktools.compiler import CompileError, CompileSettings, PassError, compilation
 from jktools.diagnostics import Diagnostic, Label
 from jktools.facts import AssetFacts
+from jktools.facts.script import script_facts
 from jktools.linter import Selection, lint, select
 from jktools.linter.rule import FILE_FAILED, Document, Facts, facts_of
 from jktools.model import Level
 from jktools.model.resources import Library
 from jktools.session.ignores import unused_ignores, with_settings
 from jktools.session.levels import LEVELS, SCRIPT_EXTENSION, discover, read_level, read_member_asset
-from jktools.session.scripts import bound_scripts, read_member_script
+from jktools.session.scripts import bound_scripts, vocabulary_of
 from jktools.session.settings import Settings
 from jktools.session.usage import MISPLACED_FILE, UNUSED_FILE, KindCount, Usage, added
 from jktools.session.write import write_atomically
@@ -86,7 +87,12 @@ def check(
     for done, member in enumerate(members):  # grows by the scripts that levels bind
         progress(done, len(members), member.path)
         try:
-            document = _read(member, settings, library)
+            script = (
+                script_facts(library, member, vocabulary_of(member, settings))
+                if member.extension == SCRIPT_EXTENSION
+                else None
+            )
+            document = _read(member, settings, library) if script is None else script.script
             bound = (
                 [m for m in bound_scripts(document) if _identity(m) not in known] if isinstance(document, Level) else []
             )
@@ -100,8 +106,11 @@ def check(
         known.update(map(_identity, bound))
         batch.files += 1
         resources = document.resources if isinstance(document, Level) else library.resources_of(member)
-        if isinstance(document, Asset):
-            facts: Facts = AssetFacts(document, resources)
+        facts: Facts
+        if script is not None:
+            facts = script
+        elif isinstance(document, Asset):
+            facts = AssetFacts(document, resources)
         else:
             facts = facts_of(document, settings.verbs)
         if usage is not None:
@@ -121,8 +130,6 @@ def check(
 def _read(member: Member, settings: Settings, library: Library) -> Document:
     if member.extension in ASSET_EXTENSIONS:
         return read_member_asset(member, settings)
-    if member.extension == SCRIPT_EXTENSION:
-        return read_member_script(member, settings)
     return read_level(member, settings, library)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from jktools.model import Level
+from jktools.model.cog.program import Vocabulary
 from jktools.model.resources import Kind
 from jktools.session.levels import SCRIPT_EXTENSION, discover, game_of, listed
 from jktools.session.settings import Game, Settings
@@ -27,6 +28,11 @@ def load_script(path: str, game: Game | None = None) -> Script:
     if len(scripts) > 1:
         raise InputError(f"{path} holds {len(scripts)} scripts: name one of {listed(m.path for m in scripts)}")
     return read_member_script(scripts[0], Settings(game))
+
+
+def vocabulary_of(member: Member, settings: Settings) -> Vocabulary:
+    """What a script can name: the words of its game, and the verbs of the user's own build."""
+    return Vocabulary(game_of(member, settings.game), settings.verbs)
 
 
 def bound_scripts(level: Level) -> Iterator[Member]:

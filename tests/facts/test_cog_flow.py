@@ -117,6 +117,14 @@ def test_labels_lead_into_each_other() -> None:
     ]
 
 
+def test_a_jump_leads_to_the_label_that_it_names_and_on_through_those_below() -> None:
+    each = facts("startup: goto one; pulse: call two; return; one: two: three: Print(1); if (1) stop; timer: return;")
+    assert {(p.source, p.target, p.how) for p in each.reach.passages} == {
+        ("startup", "one", "goto"), ("pulse", "two", "call"), ("one", "two", "falls"), ("two", "three", "falls"),
+        ("three", "timer", "falls"),
+    }  # fmt: skip
+
+
 # ---- how often
 
 

@@ -11,7 +11,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from heapq import heappop, heappush
 from itertools import pairwise
+from typing import NamedTuple
 
 from jktools.facts.cog import ranges
 from jktools.facts.cog.lowering import Block, Flow, Instruction, Op
@@ -29,6 +31,8 @@ MOST_ARRAY_STORES = 100_000
 """Assignments of arrays times symbols before the ranges of all symbols are let go at once."""
 LAST_VISIT = 12
 """Visits of a block before everything does."""
+
+_PUSH, _LOAD, _LOAD_AT, _STORE, _STORE_AT, _UNKNOWN, _UNARY, _BINARY, _CALL, _DROP = Op
 
 State = dict[int, Range]
 """What is known more sharply than the invariant, by slot."""
@@ -121,42 +125,60 @@ def analyse(program: Program, flow: Flow, reachable: Sequence[int], bound: Mappi
     known = Known(initial_ranges(program, bound))
     if not known.invariant:
         known.invariant.append(ranges.ZERO)  # slot 0 of an empty table, so that nothing else need care
-    _invariants(known, blocks)
-    _Sharpening(program, flow, known).run(blocks)
+    storing = _storing(blocks, len(known.invariant))
+    _invariants(known, storing)
+    _Sharpening(program, flow, known, storing.slots).run()
     return known
 
 
-def _invariants(known: Known, blocks: Sequence[Block]) -> None:
+def _invariants(known: Known, storing: _Storing) -> None:
     invariant = known.invariant
-    storing = []
-    for block in blocks:
-        # A block can begin with operations of no statement of its own: the step of a `for`.
-        ends = [0, *block.starts, len(block.code)]
-        for start, end in pairwise(ends):
-            code = block.code[start:end]
-            if any(op is Op.STORE or op is Op.STORE_AT for op, _, _ in code):
-                storing.append(code)
-    arrays = sum(op is Op.STORE_AT for code in storing for op, _, _ in code)
-    rounds = MOST_ROUNDS if arrays * len(invariant) < MOST_ARRAY_STORES else 0
+    rounds = MOST_ROUNDS if storing.arrays * len(invariant) < MOST_ARRAY_STORES else 0
+    before: list[Range] = []
     for turn in range(rounds):
+        changed = {slot for slot, old in enumerate(before) if old != invariant[slot]}
         before = list(invariant)
-        for code in storing:
-            _run(code, {}, invariant, None, frozenset())
+        for code, read in storing.statements:
+            # A statement whose operands are what they were gives what it gave.
+            if turn == 0 or read is None or any(before[s] != invariant[s] or s in changed for s in read):
+                _run(code, {}, invariant, None, frozenset())
         if turn >= 1:
             for slot, old in enumerate(before):
                 if old != invariant[slot]:
                     invariant[slot] = ranges.widen(old, invariant[slot])
         if invariant == before:
             return
-    for slot in _stored(blocks, len(invariant)):
+    for slot in storing.slots:
         invariant[slot] = ANY
 
 
-def _stored(blocks: Sequence[Block], slots: int) -> frozenset[int]:
-    """The slots that some assignment can reach: all of them where there are arrays."""
-    if any(op is Op.STORE_AT for block in blocks for op, _, _ in block.code):
-        return frozenset(range(slots))
-    return frozenset(slot for block in blocks for op, slot, _ in block.code if op is Op.STORE)
+class _Storing(NamedTuple):
+    """The assignments of some blocks."""
+
+    statements: list[tuple[list[Instruction], list[int] | None]]
+    """The operations of each statement that assigns, with the slots that they read, None where there are arrays."""
+    arrays: int
+    """How many of the assignments are to arrays."""
+    slots: frozenset[int]
+    """What some assignment can reach: every slot where there are arrays."""
+
+
+def _storing(blocks: Sequence[Block], slots: int) -> _Storing:
+    storing: list[tuple[list[Instruction], list[int] | None]] = []
+    stored: set[int] = set()
+    arrays = 0
+    for block in blocks:
+        # A block can begin with operations of no statement of its own: the step of a `for`.
+        for start, end in pairwise([0, *block.starts, len(block.code)]):
+            code = block.code[start:end]
+            operations = [op for op, _, _ in code]
+            written_at = operations.count(_STORE_AT)
+            if written_at or _STORE in operations:
+                indexed = written_at or _LOAD_AT in operations
+                storing.append((code, None if indexed else [slot for op, slot, _ in code if op is _LOAD]))
+                stored.update(slot for op, slot, _ in code if op is _STORE)
+                arrays += written_at
+    return _Storing(storing, arrays, frozenset(range(slots) if arrays else stored))
 
 
 def _run(
@@ -172,11 +194,11 @@ def _run(
     """
     stack: list[Range] = []
     for op, arg, node in code:
-        if op is Op.LOAD:
+        if op is _LOAD:
             stack.append(state.get(arg) or invariant[arg])
-        elif op is Op.PUSH:
+        elif op is _PUSH:
             stack.append(ranges.of_value(arg))
-        elif op is Op.CALL:
+        elif op is _CALL:
             count = len(arg.args)
             held = len(stack)
             given = tuple(stack[held - count :]) if count <= held else (*((ANY,) * (count - held)), *stack)
@@ -191,13 +213,13 @@ def _run(
                 if arg.pushes != "once":
                     stack = [ANY] * len(stack)  # all below may lie one place higher or lower
                 stack.append(ranges.of_result(arg))
-        elif op is Op.BINARY:
+        elif op is _BINARY:
             right = stack.pop() if stack else ANY
             left = stack.pop() if stack else ANY
             if known is not None:
                 known.operands[node] = (left, right)
             stack.append(ranges.binary(arg, left, right))
-        elif op is Op.STORE:
+        elif op is _STORE:
             value = stack.pop() if stack else ANY
             if known is None:
                 old = invariant[arg]
@@ -206,17 +228,17 @@ def _run(
             else:
                 known.stored[node] = value
                 state[arg] = value
-        elif op is Op.UNARY:
+        elif op is _UNARY:
             operand = stack.pop() if stack else ANY
             if known is not None:
                 known.operands[node] = (operand,)
             stack.append(ranges.unary(arg, operand))
-        elif op is Op.LOAD_AT:
+        elif op is _LOAD_AT:
             index = stack.pop() if stack else ANY
             if known is not None:
                 known.indices[node] = index
             stack.append(_at(arg, index, state, invariant))
-        elif op is Op.STORE_AT:
+        elif op is _STORE_AT:
             value = stack.pop() if stack else ANY
             index = stack.pop() if stack else ANY
             low, high = _span(arg, index, len(invariant))
@@ -231,7 +253,7 @@ def _run(
             if known is not None:
                 known.indices[node] = index
                 known.stored[node] = value
-        elif op is Op.UNKNOWN:
+        elif op is _UNKNOWN:
             if arg:
                 del stack[max(len(stack) - arg, 0) :]
             stack.append(ANY)
@@ -263,10 +285,10 @@ def _at(base: int, index: Range, state: State, invariant: list[Range]) -> Range:
 
 def _is_quiet(block: Block) -> bool:
     """Whether its condition changes nothing while it is computed."""
-    return not any(
-        op in (Op.STORE, Op.STORE_AT) or (op is Op.CALL and arg.delivers)
-        for op, arg, _ in (block.code[block.starts[-1] :] if block.starts else block.code)
-    )
+    for op, arg, _ in block.code[block.starts[-1] :] if block.starts else block.code:
+        if op is _STORE or op is _STORE_AT or (op is _CALL and arg.delivers):
+            return False
+    return True
 
 
 MOST_SYMBOLS = 256
@@ -276,27 +298,28 @@ MOST_SYMBOLS = 256
 class _Sharpening:
     """The second step: a worklist over the blocks, each with what is known where it begins."""
 
-    def __init__(self, program: Program, flow: Flow, known: Known) -> None:
+    def __init__(self, program: Program, flow: Flow, known: Known, stored: frozenset[int]) -> None:
         self.program = program
         self.flow = flow
         self.known = known
+        self.lost = stored
+        """What other code can assign while a handler waits."""
         self.entry: dict[int, State] = {}
         self.visits: dict[int, int] = {}
 
-    def run(self, blocks: Sequence[Block]) -> None:
-        self.lost = _stored(blocks, len(self.known.invariant))
+    def run(self) -> None:
         starts = [self.flow.label_block[h.label] for h in self.program.handlers]
         for start in starts:
             self.entry[start] = {}
-        pending = sorted(set(starts), reverse=True)
+        pending = sorted(set(starts))  # a heap: in the order of the text, so that what leads to a block comes first
         waiting = set(pending)
         while pending:
-            index = pending.pop()
+            index = heappop(pending)
             waiting.discard(index)
             for successor, state in self.leave(self.flow.blocks[index]):
                 if self.join(successor, state) and successor not in waiting:
                     waiting.add(successor)
-                    pending.append(successor)
+                    heappush(pending, successor)
 
     def leave(self, block: Block) -> list[tuple[int, State]]:
         """Run a block; its ways out, with what is known on each."""

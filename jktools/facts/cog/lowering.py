@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from jktools.model.cog import values
 from jktools.model.cog.program import Program, Role
@@ -66,12 +66,8 @@ class Op(IntEnum):
     """Pop `arg` values."""
 
 
-class Instruction(NamedTuple):
-    """One operation, and the part of the tree that it comes from."""
-
-    op: Op
-    arg: Any
-    node: Node
+Instruction = tuple[Op, Any, Node]
+"""One operation, its `arg`, and the part of the tree that it comes from; a plain tuple, since there are so many."""
 
 
 @dataclass(slots=True, eq=False)
@@ -185,32 +181,32 @@ class _Lowering:
         while pending:
             at = pending.pop()
             kind = type(at)
-            if kind is Instruction:
+            if kind is tuple:
                 emit(at)
             elif kind is Name:
                 emit(self.name(at))
             elif kind is Number:
-                emit(Instruction(Op.PUSH, at.value, at))
+                emit((Op.PUSH, at.value, at))
             elif kind is Call:
                 self.call(at, pending)
             elif kind is Assign:
                 self.assign(at, pending)
             elif kind is Binary:
                 if at.op != ",":
-                    pending.append(Instruction(Op.BINARY, at.op, at))
+                    pending.append((Op.BINARY, at.op, at))
                 pending += (at.right, at.left)
             elif kind is Unary:
-                pending += (Instruction(Op.UNARY, at.op, at), at.operand)
+                pending += ((Op.UNARY, at.op, at), at.operand)
             elif kind is Vector:
-                emit(Instruction(Op.PUSH, values.Vector(*at.value), at))
+                emit((Op.PUSH, values.Vector(*at.value), at))
             elif kind is String:
-                emit(Instruction(Op.PUSH, values.String(at.value), at))
+                emit((Op.PUSH, values.String(at.value), at))
             elif kind is Index:
                 slot = self.slot(at.base)
                 if slot >= 0:
-                    pending += (Instruction(Op.LOAD_AT, slot, at), at.index)
+                    pending += ((Op.LOAD_AT, slot, at), at.index)
                 else:
-                    pending += (Instruction(Op.UNKNOWN, 2, at), at.index, at.base)
+                    pending += ((Op.UNKNOWN, 2, at), at.index, at.base)
 
     def slot(self, base: Expression) -> int:
         if isinstance(base, Name):
@@ -222,16 +218,16 @@ class _Lowering:
     def name(self, at: Name) -> Instruction:
         slot = self.program.slot_of.get(at.name)
         if slot is not None:
-            return Instruction(Op.LOAD, slot.index, at)
+            return (Op.LOAD, slot.index, at)
         if self.program.role_of(at.name) is Role.MESSAGE:
-            return Instruction(Op.PUSH, self.program.vocabulary.messages[at.name].id, at)
-        return Instruction(Op.UNKNOWN, 0, at)
+            return (Op.PUSH, self.program.vocabulary.messages[at.name].id, at)
+        return (Op.UNKNOWN, 0, at)
 
     def call(self, at: Call, pending: list[Any]) -> None:
         """A call of what is no verb leaves its arguments where they are."""
         verb = self.program.verb_of(at)
         if verb is not None:
-            pending.append(Instruction(Op.CALL, verb, at))
+            pending.append((Op.CALL, verb, at))
         elif not isinstance(at.callee, Name):
             pending.append(at.callee)
         pending += reversed(at.arguments)
@@ -240,11 +236,11 @@ class _Lowering:
         target = at.target
         if isinstance(target, Name):
             slot = self.slot(target)
-            pending += (Instruction(Op.STORE, slot, at) if slot >= 0 else Instruction(Op.DROP, 1, at), at.value)
+            pending += ((Op.STORE, slot, at) if slot >= 0 else (Op.DROP, 1, at), at.value)
         elif isinstance(target, Index) and self.slot(target.base) >= 0:
-            pending += (Instruction(Op.STORE_AT, self.slot(target.base), at), at.value, target.index)
+            pending += ((Op.STORE_AT, self.slot(target.base), at), at.value, target.index)
         else:
-            pending += (Instruction(Op.DROP, 2, at), at.value, target)
+            pending += ((Op.DROP, 2, at), at.value, target)
 
 
 def _if(at: If) -> list[Any]:
@@ -280,10 +276,10 @@ def _blocks(lines: Iterable[_Line], program: Program) -> Flow:
         return block
 
     for line in lines:
-        if type(line) is Instruction:
+        if type(line) is tuple:
             if at is None:
                 at = fresh()
-            at.code.append(line)
+            at.code.append(cast("Instruction", line))
         elif type(line) is _Mark:
             if at is None or at.code or at.statements:
                 before, at = at, fresh()

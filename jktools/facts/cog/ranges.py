@@ -88,13 +88,17 @@ _SPECIAL = {
     "vectordist": Range(FLEX, 0.0, INF),
 }
 
+_RESULTS = {
+    **dict.fromkeys(REFERENCES, INDEX), "int": ANY_INT, "flex": ANY_FLEX, "vector": A_VECTOR, "string": A_STRING,
+}  # fmt: skip
+
 
 def of_value(value: Value) -> Range:
     """The range of one value."""
     if isinstance(value, int):
         return Range(INT, value, value)
     if isinstance(value, float):
-        return ANY_FLEX if math.isnan(value) else Range(FLEX, value, value)
+        return Range(FLEX, value, value) if value == value else ANY_FLEX  # NaN
     return A_VECTOR if isinstance(value, values.Vector) else A_STRING
 
 
@@ -105,9 +109,7 @@ def of_result(verb: Verb) -> Range:
     special = _SPECIAL.get(verb.name)
     if special is not None:
         return special
-    if verb.returns in REFERENCES:
-        return INDEX
-    return {"int": ANY_INT, "flex": ANY_FLEX, "vector": A_VECTOR, "string": A_STRING}.get(verb.returns, ANY)
+    return _RESULTS.get(verb.returns, ANY)
 
 
 def join(a: Range, b: Range) -> Range:
@@ -129,7 +131,7 @@ def as_flex(a: Range) -> tuple[float, float]:
     low, high = a.low, a.high
     if a.kinds & ~NUMBER:
         low, high = min(low, 0.0), max(high, 0.0)
-    if a.kinds & INT:  # an int beyond 2^24 is rounded
+    if a.kinds & INT and not (low >= -EXACT_INT and high <= EXACT_INT):  # rounded
         low, high = flex(low), flex(high)
     return low, high
 

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
+import msgspec
+
 from jktools.facts.cog import ranges
 from jktools.facts.cog.dataflow import Known
 from jktools.facts.cog.lowering import Flow, Op
@@ -54,8 +56,7 @@ _SENDERS = {
 _MESSAGE_ARGUMENT = {"sendmessage": 1, "sendmessageex": 1, "sendmessageexradius": 3}
 
 
-@dataclass(frozen=True, slots=True)
-class Site:
+class Site(msgspec.Struct, frozen=True):
     """A call of a verb that can run."""
 
     call: Call

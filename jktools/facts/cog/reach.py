@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Literal
 
 from jktools.facts.cog.lowering import Flow
 from jktools.model.cog.program import Program
 from jktools.syntax.cog.nodes import Block as Braces
-from jktools.syntax.cog.nodes import Empty, Labeled, Statement
+from jktools.syntax.cog.nodes import CallLabel, Empty, Goto, Labeled, Statement
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,19 +90,24 @@ class Reach:
     def passages(self) -> tuple[Passage, ...]:
         """How the code below one label leads into another."""
         starts: dict[int, list[str]] = {}
-        for name, index in self.flow.label_block.items():
-            starts.setdefault(index, []).append(name)
+        for block in self.flow.blocks:
+            for label in block.labels:
+                if self.flow.label_block[label.label.name] == block.index:
+                    starts.setdefault(block.index, []).append(label.label.name)
         found: dict[Passage, None] = {}
         for block in self.flow.blocks:
+            stacked = starts.get(block.index, [])
+            found.update((Passage(above, below, "falls"), None) for above, below in pairwise(stacked))
             source = self.label_of.get(block.index)
             if source is None:
                 continue
-            ways = [(s, "goto" if block.goes else "falls") for s in block.successors]
-            if block.callee >= 0:
-                ways.append((block.callee, "call"))
-            for successor, how in ways:
-                for target in starts.get(successor, ()):
-                    found.setdefault(Passage(source, target, how))  # type: ignore[arg-type]
+            for successor in [] if block.goes else block.successors:
+                for target in starts.get(successor, [])[:1]:
+                    found.setdefault(Passage(source, target, "falls"))
+            if block.goes or block.callee >= 0:
+                jump = block.statements[-1]
+                if isinstance(jump, Goto | CallLabel):
+                    found.setdefault(Passage(source, jump.label.name, "goto" if block.goes else "call"))
         return tuple(found)
 
     @cached_property

@@ -70,6 +70,8 @@ def components(blocks: Sequence[Block], inside: frozenset[int], cut: int = -1) -
 
     Tarjan's algorithm without recursion.
     """
+    if all(s > i or s not in inside or s == cut for i in inside for s in blocks[i].successors):
+        return []  # blocks stand in the order of the text, and nothing leads back
     order: dict[int, int] = {}
     low: dict[int, int] = {}
     open_: list[int] = []
@@ -147,7 +149,7 @@ class Counter:
                     return dict.fromkeys(self.reach.blocks_from([start]), UNBOUNDED)
                 for index, inner in self.within(entry).items():
                     passes = _nested(count, inner)
-                    total[index] = _sum(total.get(index, NEVER), passes)
+                    total[index] = _sum(total[index], passes) if index in total else passes
                     callee = self.flow.blocks[index].callee
                     if callee >= 0:
                         below[callee] = _sum(below.get(callee, NEVER), passes)
@@ -356,7 +358,7 @@ def least_sleep(seconds: ranges.Range) -> float:
 
 
 def _sum(a: Repeats, b: Repeats) -> Repeats:
-    return Repeats(*(x + y for x, y in zip(a, b, strict=True)))
+    return Repeats(a.per_run + b.per_run, a.per_second + b.per_second, a.per_interruption + b.per_interruption)
 
 
 def _nested(outer: Repeats, inner: Repeats) -> Repeats:
@@ -368,5 +370,7 @@ def _nested(outer: Repeats, inner: Repeats) -> Repeats:
         return NEVER
     if math.isinf(outer.per_run) or math.isinf(inner.per_run):
         return UNBOUNDED
+    if outer == ONCE:
+        return inner
     again = outer.times(inner.per_run)
     return Repeats(again.per_run, again.per_second + inner.per_second, again.per_interruption + inner.per_interruption)

@@ -12,7 +12,7 @@ from jktools.facts.cog.rates import Site, Source
 from jktools.facts.script import ScriptFacts
 from jktools.model.cog.program import Handler, Role
 from jktools.syntax.cog.header import LINKED_TYPES, NO_LINK
-from jktools.syntax.cog.nodes import Call, Goto, Name, Node, Symbol
+from jktools.syntax.cog.nodes import Call, Name, Node, Symbol
 
 OUTSIDE = frozenset({"event", "thing pulse", "thing timer"})
 """Kinds of sources whose number the script alone does not tell."""
@@ -173,10 +173,8 @@ def _source(facts: ScriptFacts, source: Source) -> SourceSummary:
 
 
 def _passages(facts: ScriptFacts) -> Iterator[PassageSummary]:
-    gone_to = {jump.label.name for jump in facts.program.jumps if isinstance(jump, Goto)}
     for passage in facts.reach.passages:
-        skips = passage.how == "goto" and passage.target not in gone_to  # the end of an if before the label
-        yield PassageSummary(passage.source, passage.target, "falls" if skips else passage.how)
+        yield PassageSummary(passage.source, passage.target, passage.how)
 
 
 def _finite(value: float) -> float | None:
@@ -190,8 +188,8 @@ def _verbs(facts: ScriptFacts) -> Iterator[VerbSummary]:
     for site in facts.rates.sites:
         sites.setdefault(site.verb.name, []).append(site)
     calls: dict[str, list[Call]] = {}
-    for part in program.expressions:
-        if isinstance(part, Call) and isinstance(part.callee, Name):
+    for part in program.of_kind(Call):
+        if isinstance(part.callee, Name):
             calls.setdefault(part.callee.name, []).append(part)
     for name, found in calls.items():
         verb = program.verb_of(found[0])

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum, auto
 from functools import cached_property
 from types import MappingProxyType
+from typing import TypeVar, cast
+
+import msgspec
 
 from jktools.model.cog.messages import GLOBALS, Message, messages_of
 from jktools.model.cog.verbs import Verb, all_verbs, verbs_of
@@ -16,16 +19,21 @@ from jktools.syntax.cog.nodes import (
     CallLabel,
     Code,
     Expression,
+    ExprStatement,
+    For,
     Goto,
     Header,
     Index,
     Labeled,
     Name,
+    Node,
     Statement,
     String,
     Symbol,
 )
 from jktools.syntax.cog.walk import expressions, postorder, statements
+
+N = TypeVar("N", bound=Node)
 
 
 @dataclass(frozen=True)
@@ -64,8 +72,7 @@ class Role(Enum):
     """`global0` to `global15`."""
 
 
-@dataclass(frozen=True, slots=True)
-class Slot:
+class Slot(msgspec.Struct, frozen=True):
     """An entry of the script's symbol table; `name[i]` counts them."""
 
     index: int
@@ -107,15 +114,14 @@ class Program:
         """Declared symbols, then what the code names first, in its order: variables, labels, one entry a string."""
         found = [Slot(i, s.name.key, s.type, s) for i, s in enumerate(self.header.symbols)]
         known = {slot.name for slot in found}
-        shared = self.vocabulary
+        verbs, messages = self.vocabulary.verbs, self.vocabulary.messages
         for word in self.code.words:
             if isinstance(word, String):
                 found.append(Slot(len(found), "", "string", text=word.value))
             elif word.name not in known:
                 known.add(word.name)
-                if word.name in shared.verbs or word.name in shared.messages or word.name in GLOBALS:
-                    continue
-                found.append(Slot(len(found), word.name, "implicit"))
+                if word.name not in verbs and word.name not in messages and word.name not in GLOBALS:
+                    found.append(Slot(len(found), word.name, "implicit"))
         return tuple(found)
 
     @cached_property
@@ -157,7 +163,7 @@ class Program:
     @cached_property
     def labels(self) -> Mapping[str, Labeled]:
         """By name: the last of a name is the one that counts."""
-        return {s.label.name: s for s in self.statements if isinstance(s, Labeled)}
+        return {s.label.name: s for s in self.of_kind(Labeled)}
 
     @cached_property
     def declared_messages(self) -> tuple[tuple[Symbol, Message | None], ...]:
@@ -189,19 +195,44 @@ class Program:
     @cached_property
     def expressions(self) -> tuple[Expression, ...]:
         """Every expression of the code and all that is in it, parts before the whole."""
-        return tuple(
-            part for statement in self.statements for whole in expressions(statement) for part in postorder(whole)
-        )
+        found: list[Expression] = []
+        for statement in self.statements:
+            for whole in expressions(statement):
+                found += postorder(whole)
+        return tuple(found)
+
+    @cached_property
+    def _by_kind(self) -> Mapping[type[Node], list[Node]]:
+        found: dict[type[Node], list[Node]] = {}
+        for nodes in (self.statements, self.expressions):
+            for node in nodes:
+                kind = type(node)
+                if kind in found:
+                    found[kind].append(node)
+                else:
+                    found[kind] = [node]
+        return found
+
+    def of_kind(self, kind: type[N]) -> Sequence[N]:
+        """Every statement or expression of one kind, as `statements` and `expressions` list them."""
+        return cast("Sequence[N]", self._by_kind.get(kind, ()))
+
+    @cached_property
+    def dropped(self) -> frozenset[Expression]:
+        """Expressions that nothing takes the value of: statements of their own, and the first and last of a `for`."""
+        found: list[Expression | None] = [s.expression for s in self.of_kind(ExprStatement)]
+        for loop in self.of_kind(For):
+            found += (loop.first, loop.step)
+        return frozenset(each for each in found if each is not None)
 
     @cached_property
     def calls(self) -> tuple[tuple[Call, Verb], ...]:
         """The calls that reach a verb."""
         found = []
-        for part in self.expressions:
-            if isinstance(part, Call):
-                verb = self.verb_of(part)
-                if verb is not None:
-                    found.append((part, verb))
+        for part in self.of_kind(Call):
+            verb = self.verb_of(part)
+            if verb is not None:
+                found.append((part, verb))
         return tuple(found)
 
     def verb_of(self, call: Call) -> Verb | None:
@@ -214,37 +245,33 @@ class Program:
     def assigned(self) -> Mapping[str, tuple[Name, ...]]:
         """Where each name is assigned, as a whole or as the start of an array."""
         found: dict[str, list[Name]] = {}
-        for part in self.expressions:
-            if isinstance(part, Assign):
-                target = part.target.base if isinstance(part.target, Index) else part.target
-                if isinstance(target, Name):
-                    found.setdefault(target.name, []).append(target)
+        for part in self.of_kind(Assign):
+            target = part.target.base if isinstance(part.target, Index) else part.target
+            if isinstance(target, Name):
+                found.setdefault(target.name, []).append(target)
         return {name: tuple(places) for name, places in found.items()}
 
     @cached_property
     def read(self) -> Mapping[str, tuple[Name, ...]]:
         """Where each name is read: not where it is called, assigned as a whole, or a label."""
-        skipped: set[Name] = set()
+        skipped: set[Expression] = {part.target for part in self.of_kind(Assign)}
+        skipped.update(part.callee for part in self.of_kind(Call))
         found: dict[str, list[Name]] = {}
-        for part in reversed(self.expressions):
-            if isinstance(part, Assign) and isinstance(part.target, Name):
-                skipped.add(part.target)
-            elif isinstance(part, Call) and isinstance(part.callee, Name):
-                skipped.add(part.callee)
-            elif isinstance(part, Name) and part not in skipped:
+        for part in self.of_kind(Name):
+            if part not in skipped:
                 found.setdefault(part.name, []).append(part)
-        return {name: tuple(reversed(places)) for name, places in found.items()}
+        return {name: tuple(places) for name, places in found.items()}
 
     @cached_property
     def called(self) -> Mapping[str, tuple[Name, ...]]:
         """Where each name stands before parentheses."""
         found: dict[str, list[Name]] = {}
-        for part in self.expressions:
-            if isinstance(part, Call) and isinstance(part.callee, Name):
+        for part in self.of_kind(Call):
+            if isinstance(part.callee, Name):
                 found.setdefault(part.callee.name, []).append(part.callee)
         return {name: tuple(places) for name, places in found.items()}
 
     @cached_property
     def jumps(self) -> tuple[Goto | CallLabel, ...]:
-        """Every `goto` and `call`."""
-        return tuple(s for s in self.statements if isinstance(s, Goto | CallLabel))
+        """Every `goto` and `call`, in the order of the text."""
+        return tuple(sorted((*self.of_kind(Goto), *self.of_kind(CallLabel)), key=lambda s: s.start))

@@ -129,6 +129,15 @@ class _Reader:
             if self.flags_word is None and word == "symbols":
                 self._flags()  # the engine is past reading; the rest of us are not
             self._next()
+        unclosed = next((s for s in self.dropped if s.type == "code"), None)
+        if not self.words and unclosed is not None and word == "code":
+            line = self.source.position(unclosed.start).line
+            self._tell(
+                faults.MISSING_COG_PART, self._end_of_file(),
+                f'there is no "code" line behind the symbols: one stands on line {line}, but no "end" line before it',
+                f'add a line "end" before line {line}',
+            )  # fmt: skip
+            return False
         if not self.words:
             self._missing(f'there is no "{word}" line, but the engine needs one', word)
             return False
@@ -145,7 +154,11 @@ class _Reader:
         return self.source.span(len(self.source.data), len(self.source.data))
 
     def _missing(self, message: str, word: str) -> None:
-        self._tell(faults.MISSING_COG_PART, self._end_of_file(), message, f'add a line "{word}"')
+        text = self.source.text
+        cure = f'add a line "{word}"'
+        if "\r" in text and "\n" not in text:
+            cure = "save the file with the line ends of Windows or Unix: for the engine it is one line"
+        self._tell(faults.MISSING_COG_PART, self._end_of_file(), message, cure)
 
     def _tell(self, code: Code, place: Span, message: str, help: str) -> None:
         if not self.faults:

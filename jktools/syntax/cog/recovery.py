@@ -12,7 +12,8 @@ from collections.abc import Iterator
 from jktools.diagnostics import Code, Diagnostic, Label
 from jktools.source import Source
 from jktools.syntax.cog import faults
-from jktools.syntax.cog.nodes import Name, Number, Unreadable
+from jktools.syntax.cog.header import TYPES
+from jktools.syntax.cog.nodes import Call, Name, Number, Unreadable
 from jktools.syntax.cog.scanner import Token
 from jktools.syntax.cog.stack import Stack
 from jktools.syntax.cog.tables import END_OF_CODE, Tables
@@ -32,6 +33,9 @@ LEAST_READ = 3
 INSERTED = (";", ")", "]", "(", "}")
 CLOSES = {")": "(", "]": "[", "}": "{"}
 STATEMENT_WORDS = ("if", "while", "do", "for", "goto", "call", "return")
+DECLARING = TYPES | {"string", "bool", "double", "local"}
+"""Words that declare a variable in the header, or in another language."""
+NO_SWITCH = "there is no switch: write if and else if"
 SHOWN = 24
 
 
@@ -215,7 +219,8 @@ class Recovery:
         elif inserted == ";":
             self._tell(
                 faults.MISSING_SEMICOLON, before.start, before.end,
-                f"expected a semicolon behind {self._found(before)}, but found {found}", "end the statement with a ;",
+                f"expected a semicolon behind {self._found(before)}, but found {found}",
+                self._cure_of_semicolon(stack, before),
             )  # fmt: skip
         elif inserted == "(":
             self._tell(
@@ -292,7 +297,7 @@ class Recovery:
             behind = f" behind {self._found(before)}" if before is not None else ""
             self._tell(
                 faults.COG_SYNTAX_ERROR, token.start, token.end,
-                f"expected {expected}{behind}, but found {found}", self._cure(before, token),
+                f"expected {expected}{behind}, but found {found}", self._cure(stack, before, token),
             )  # fmt: skip
 
     def _is_open(self, stack: Stack, bracket: str) -> bool:
@@ -322,8 +327,28 @@ class Recovery:
         if fits("PLUS"):
             yield "an operator"
 
-    def _cure(self, before: Token | None, token: Token) -> str:
+    def _cure_of_semicolon(self, stack: Stack, before: Token) -> str:
+        if isinstance(before.value, Name) and before.value.name in DECLARING:
+            return "variables are declared in the symbols: remove the type here"
+        if self._calls(stack, "elseif"):
+            return 'write "else if"'
+        if self._calls(stack, "switch"):
+            return NO_SWITCH
+        return "end the statement with a ;"
+
+    def _calls(self, stack: Stack, name: str) -> bool:
+        """Whether what looks like a call of some name has just been read."""
+        written = [v.callee if isinstance(v, Call) else v for v in stack.values[-4:]]
+        return any(isinstance(v, Name) and v.name == name for v in written)
+
+    def _cure(self, stack: Stack, before: Token | None, token: Token) -> str:
         text = token.value if isinstance(token.value, str) else ""
+        if text == "(" and len(stack.states) > 1 and self.tables.entered_by[stack.states[-2]] in ("CALL", "GOTO"):
+            return "goto and call take the name of a label, without parentheses"
+        if text == ":" and before is not None and isinstance(before.value, str) and before.value in self._words:
+            return f"{before.value} is a keyword and can be no label"
+        if text == "{" and self._calls(stack, "switch"):
+            return NO_SWITCH
         if before is not None and text == "+" and before.value == "+":
             return "there is no ++: write x = x + 1"
         if before is not None and text == "-" and before.value == "-":

@@ -78,7 +78,7 @@ def scan(text: str, at: int, tables: Tables) -> Scan:
     name_column, string_column, vector_column = (tables.columns[name] for name in ("NAME", "STRING", "VECTOR"))
     word_columns = tables.words
     match = _TOKEN.match
-    append = tokens.append
+    append, make = tokens.append, tuple.__new__  # a Token, without the detour through its own __new__
     while token := match(text, at):
         kind = token.lastindex
         start, at = token.span(kind)  # type: ignore[arg-type]  # one group always takes part
@@ -88,31 +88,31 @@ def scan(text: str, at: int, tables: Tables) -> Scan:
             if column is None:
                 if spelled == END_WORD:
                     found.closed = True
-                    append(Token(tables.columns[END_OF_CODE], start, at, text[start:at]))
+                    append(make(Token, (tables.columns[END_OF_CODE], start, at, text[start:at])))
                     break
                 name = Name(start, at, spelled)
                 words.append(name)
-                append(Token(name_column, start, at, name))
+                append(make(Token, (name_column, start, at, name)))
             else:
-                append(Token(column, start, at, spelled))
+                append(make(Token, (column, start, at, spelled)))
         elif kind == _SIGN:
             sign = text[start:at]
-            append(Token(word_columns[sign], start, at, sign))
+            append(make(Token, (word_columns[sign], start, at, sign)))
         elif kind == _NUMBER:
             append(_number(text[start:at], start, at, tables))
         elif kind == _STRING:
             string = String(start - 1, at + 1, text[start:at])
             at += 1
             words.append(string)
-            append(Token(string_column, start - 1, at, string))
+            append(make(Token, (string_column, start - 1, at, string)))
         elif kind == _VECTOR:
             written = text[start:at]
             at += 1
-            append(Token(vector_column, start - 1, at, Vector(start - 1, at, _vector(written), written)))
+            append(make(Token, (vector_column, start - 1, at, Vector(start - 1, at, _vector(written), written))))
         else:
             found.strays.append(Stray(start, at, text[start:at]))
     else:
-        append(Token(tables.columns[END_OF_CODE], len(text), len(text), ""))
+        append(make(Token, (tables.columns[END_OF_CODE], len(text), len(text), "")))
     if len(text) - begin > LONGEST_TOKEN:
         found.overlong += _overlong(text, begin, found)
     return found
@@ -153,6 +153,8 @@ def _number(text: str, start: int, end: int, tables: Tables) -> Token:
 
 def _decimal(text: str) -> int:
     """The value as it wraps to 32 bits; only the last digits matter, and Python refuses to read millions of them."""
+    if len(text) < 10:
+        return int(text)
     value = 0
     for at in range(0, len(text), 9):
         part = text[at : at + 9]

@@ -10,7 +10,7 @@ from jktools.facts.cog import ranges
 from jktools.facts.cog.ranges import Range
 from jktools.linter.rule import Finding, rule
 from jktools.model.cog.messages import LAST_SENDABLE
-from jktools.model.cog.verbs import Argument, Verb
+from jktools.model.cog.verbs import Argument
 from jktools.syntax.cog import Script
 
 
@@ -51,7 +51,9 @@ def argument_out_of_range(script: Script, facts: ScriptFacts) -> Iterator[Findin
         if len(site.call.arguments) != len(site.verb.args):
             continue
         for written, argument, value in zip(site.call.arguments, site.verb.args, site.arguments, strict=True):
-            least, greatest = _bounds(site.verb, argument, facts.vocabulary.game)
+            if argument.least is None and argument.greatest is None:
+                continue
+            least, greatest = _bounds(argument, facts.vocabulary.game)
             low, high = _number(argument, value)
             if (greatest is not None and low > greatest) or (least is not None and high < least):
                 shown = f"{low:.6g}" if low == high else f"between {low:.6g} and {high:.6g}"
@@ -68,7 +70,7 @@ def _number(argument: Argument, value: Range) -> tuple[float, float]:
     return ranges.as_flex(value) if argument.kind == "flex" else ranges.as_int(value)
 
 
-def _bounds(verb: Verb, argument: Argument, game: str) -> tuple[float | None, float | None]:
+def _bounds(argument: Argument, game: str) -> tuple[float | None, float | None]:
     if argument.name == "message" and argument.greatest is not None:
         return argument.least, LAST_SENDABLE.get(game, argument.greatest)
     return argument.least, argument.greatest

@@ -49,9 +49,8 @@ def colour_effect_never_freed(script: Script, facts: ScriptFacts) -> Iterator[Fi
     if not facts.is_whole or not made:
         return
     frees = any(verb.name in FREEING for _, verb in program.calls)
-    dropped = {getattr(s, "expression", None) for s in program.statements}
     for call in made:
-        if call in dropped:
+        if call in program.dropped:
             yield Finding(
                 facts.label(call),
                 "a colour effect is made, but nothing keeps its handle, so that it cannot be freed",

@@ -72,9 +72,8 @@ def _may_be_none(value: Range) -> bool:
 def _truths(facts: ScriptFacts) -> set[Expression]:
     """Calls whose value decides as it is: conditions and the sides of `!`, `&&` and `||`."""
     found: set[Expression] = {b.condition for b in facts.analysis.flow.blocks if b.condition is not None}
-    for part in facts.program.expressions:
-        if isinstance(part, Binary) and part.op in ("&&", "||"):
+    for part in facts.program.of_kind(Binary):
+        if part.op in ("&&", "||"):
             found |= {part.left, part.right}
-        elif isinstance(part, Unary) and part.op == "!":
-            found.add(part.operand)
+    found.update(part.operand for part in facts.program.of_kind(Unary) if part.op == "!")
     return {part for part in found if isinstance(part, Call)}

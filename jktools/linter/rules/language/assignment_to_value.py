@@ -28,12 +28,11 @@ def assignment_to_value(script: Script, facts: ScriptFacts) -> Iterator[Finding]
             health[1] = 100;
     """
 
-    for part in facts.program.expressions:
-        if isinstance(part, Assign):
-            base = part.target.base if isinstance(part.target, Index) else part.target
-            if not isinstance(base, Name):
-                yield Finding(
-                    facts.label(part.target),
-                    "the target of the assignment is a value, but only a variable can be assigned",
-                    "assign to a name or a name with an index",
-                )
+    for part in facts.program.of_kind(Assign):
+        base = part.target.base if isinstance(part.target, Index) else part.target
+        if not isinstance(base, Name):
+            yield Finding(
+                facts.label(part.target),
+                "the target of the assignment is a value, but only a variable can be assigned",
+                "assign to a name or a name with an index",
+            )

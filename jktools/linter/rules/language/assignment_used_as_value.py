@@ -34,8 +34,10 @@ def assignment_used_as_value(script: Script, facts: ScriptFacts) -> Iterator[Fin
             y = 0;
             x = 0;
     """
-
-    for statement in facts.program.statements:
+    program = facts.program
+    if program.dropped.issuperset(program.of_kind(Assign)):
+        return
+    for statement in program.statements:
         for whole in expressions(statement):
             condition = isinstance(statement, If | While | DoWhile) or (
                 isinstance(statement, For) and whole is statement.condition

@@ -41,7 +41,7 @@ def attribute_without_effect(script: Script, facts: ScriptFacts) -> Iterator[Fin
             if attribute.key == "desc" or attribute.key.startswith("//"):
                 break
             if attribute.key in ("linkid", "mask", "nolink") and symbol.type not in LINKED_TYPES:
-                said = f"a {symbol.type} is never linked"
+                said = f"{symbol.type} symbols are never linked"
             elif attribute.key == "local" and symbol.type == "message":
                 said = "a message takes no attributes"
             elif attribute.key in ("linkid", "mask") and not attribute.has_value:

@@ -11,6 +11,7 @@ from jktools.linter.rule import Finding, rule
 from jktools.syntax.cog import Script
 
 _COMMENT = re.compile(r"""(?://|\#)[^\n]*|"(?:[^\\"]++|\\.)*+"|\'(?:[^\\\']++|\\.)*+\'""")
+_LONE_RETURN = re.compile(r"\r(?!\n)")
 _SWALLOWED = re.compile(r"\r(?=[^\r\n]*[^\s])")
 
 
@@ -23,6 +24,8 @@ def comment_swallows_lines(script: Script, facts: ScriptFacts) -> Iterator[Findi
     swallows all code behind it.
     """
 
+    if not _LONE_RETURN.search(script.source.text, script.code.start, script.code.end):
+        return
     for comment in _COMMENT.finditer(script.source.text, script.code.start, script.code.end):
         swallowed = _SWALLOWED.search(comment[0]) if comment[0][0] in "/#" else None
         if swallowed:

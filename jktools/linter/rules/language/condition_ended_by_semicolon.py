@@ -29,10 +29,13 @@ def condition_ended_by_semicolon(script: Script, facts: ScriptFacts) -> Iterator
                 stop;
     """
 
-    for statement in facts.program.statements:
-        if isinstance(statement, If) and isinstance(statement.then, Empty) and statement.otherwise is None:
+    for statement in facts.program.of_kind(If):
+        then = statement.then
+        if not isinstance(then, Empty) or statement.otherwise is not None:
+            continue
+        if not facts.is_doubtful(statement.condition.end + 1, then.end):
             yield Finding(
-                facts.label(statement.then),
+                facts.label(then),
                 "the semicolon is all that the if decides about, but more seems to be meant",
                 "remove the semicolon",
             )

@@ -43,8 +43,8 @@ def different_objects_compared(script: Script, facts: ScriptFacts) -> Iterator[F
             return;
         end
     """
-    for part in facts.program.expressions:
-        if isinstance(part, Binary) and part.op in ("==", "!="):
+    for part in facts.program.of_kind(Binary):
+        if part.op in ("==", "!="):
             left, right = object_kind(facts.program, part.left), object_kind(facts.program, part.right)
             if left is not None and right is not None and left != right:
                 yield Finding(

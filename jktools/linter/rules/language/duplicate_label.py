@@ -29,14 +29,13 @@ def duplicate_label(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
             x = 1;
     """
 
-    for statement in facts.program.statements:
-        if isinstance(statement, Labeled):
-            last = facts.program.labels[statement.label.name]
-            if last is not statement:
-                yield Finding(
-                    facts.label(statement.label),
-                    f"the label {statement.label.name} stands here, but another one of that name follows, and the last "
-                    "counts",
-                    "rename one of them",
-                    related=(facts.label(last.label, "the last"),),
-                )
+    for statement in facts.program.of_kind(Labeled):
+        last = facts.program.labels[statement.label.name]
+        if last is not statement:
+            yield Finding(
+                facts.label(statement.label),
+                f"the label {statement.label.name} stands here, but another one of that name follows, and the last "
+                "counts",
+                "rename one of them",
+                related=(facts.label(last.label, "the last"),),
+            )

@@ -32,8 +32,8 @@ def malformed_vector(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
         up = '0 0 1';
     """
 
-    for part in facts.program.expressions:
-        if isinstance(part, Vector) and not _THREE.fullmatch(part.text):
+    for part in facts.program.of_kind(Vector):
+        if not _THREE.fullmatch(part.text):
             read = " ".join(f"{x:g}" for x in part.value)
             yield Finding(
                 facts.label(part),

@@ -26,8 +26,8 @@ def octal_number(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
         y = 07;
     """
 
-    for part in facts.program.expressions:
-        if isinstance(part, Number) and part.text.isdigit() and part.text[0] == "0" and len(part.text) > 1:
+    for part in facts.program.of_kind(Number):
+        if part.text.isdigit() and part.text[0] == "0" and len(part.text) > 1:
             decimal = part.text.lstrip("0") or "0"
             if str(part.value) != decimal:
                 yield Finding(

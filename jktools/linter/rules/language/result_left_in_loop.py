@@ -8,7 +8,6 @@ from jktools.diagnostics import Severity
 from jktools.facts import ScriptFacts
 from jktools.linter.rule import Finding, rule
 from jktools.syntax.cog import Script
-from jktools.syntax.cog.nodes import ExprStatement
 
 STACK = 64
 """Entries of the stack of Jedi Knight and of Mysteries of the Sith (the layout of the decompiled structures)."""
@@ -52,7 +51,7 @@ def result_left_in_loop(script: Script, facts: ScriptFacts) -> Iterator[Finding]
             }
         end
     """
-    dropped = {s.expression for s in facts.program.statements if isinstance(s, ExprStatement)}
+    dropped = facts.program.dropped
     for site in facts.rates.sites:
         if not site.verb.gives or site.call not in dropped:
             continue

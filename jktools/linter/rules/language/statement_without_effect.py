@@ -29,9 +29,10 @@ def statement_without_effect(script: Script, facts: ScriptFacts) -> Iterator[Fin
         startup:
             x = 1;
     """
-
-    for statement in facts.program.statements:
-        parts = [statement.expression] if isinstance(statement, ExprStatement) else []
+    for statement in facts.program.of_kind(ExprStatement):
+        if facts.is_doubtful(statement.start, statement.end):
+            continue
+        parts = [statement.expression]
         while parts:
             part = parts.pop()
             if isinstance(part, Binary) and part.op == ",":

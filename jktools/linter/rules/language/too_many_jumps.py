@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from jktools.diagnostics import Label, Severity
 from jktools.facts import ScriptFacts
 from jktools.linter.rule import Finding, rule
+from jktools.model.cog.program import Program
 from jktools.syntax.cog import Script
-from jktools.syntax.cog.nodes import DoWhile, For, If, Statement, While
+from jktools.syntax.cog.nodes import DoWhile, For, If, While
 
 MOST_JUMPS = {"jk": 511, "mots": 1023}
 """By game; slot 0 is not used (sithCogParse in the decompiled engine, and the addresses behind its array)."""
@@ -23,8 +24,7 @@ def too_many_jumps(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
     `if`, two with `else`, two for a `while`, one for a `do`, three for a `for`. JK 1.0 has room for 511 and does not
     look: the 512th overwrites the compiler's own state. Mysteries of the Sith has room for 1023.
     """
-
-    jumps = sum(_jumps(statement) for statement in facts.program.statements)
+    jumps = _jumps(facts.program)
     symbols = len(facts.program.slots)
     most = MOST_JUMPS[script.game]
     if symbols + jumps > most:
@@ -36,15 +36,6 @@ def too_many_jumps(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
         )
 
 
-def _jumps(statement: Statement) -> int:
-    match statement:
-        case If():
-            return 1 if statement.otherwise is None else 2
-        case While():
-            return 2
-        case DoWhile():
-            return 1
-        case For():
-            return 3
-        case _:
-            return 0
+def _jumps(program: Program) -> int:
+    branches = sum(1 if each.otherwise is None else 2 for each in program.of_kind(If))
+    return branches + 2 * len(program.of_kind(While)) + len(program.of_kind(DoWhile)) + 3 * len(program.of_kind(For))

@@ -50,12 +50,14 @@ def undeclared_name_read(script: Script, facts: ScriptFacts) -> Iterator[Finding
     program = facts.program
     if not facts.is_whole:
         return
-    reached = min((_base(facts, part) for part in program.expressions), default=len(program.slots))
+    reached = min((_base(facts, part) for part in program.of_kind(Assign)), default=len(program.slots))
     own = [name for name, slot in program.slot_of.items() if slot.declared is not None or name in program.assigned]
     for name, places in program.read.items():
         if program.role_of(name) is not Role.IMPLICIT or name in program.assigned:
             continue
         if name in program.labels or program.slot_of[name].index > reached:
+            continue
+        if facts.is_doubtful(places[0].start, places[0].end):
             continue
         yield Finding(
             facts.label(places[0]),
@@ -64,10 +66,10 @@ def undeclared_name_read(script: Script, facts: ScriptFacts) -> Iterator[Finding
         )
 
 
-def _base(facts: ScriptFacts, part: object) -> int:
-    """The slot from which an array is written, or one behind the last for anything else."""
+def _base(facts: ScriptFacts, part: Assign) -> int:
+    """The slot from which an array is written, or one behind the last for another assignment."""
     slots = facts.program.slot_of
-    if isinstance(part, Assign) and isinstance(part.target, Index) and isinstance(part.target.base, Name):
+    if isinstance(part.target, Index) and isinstance(part.target.base, Name):
         slot = slots.get(part.target.base.name)
         if slot is not None:
             return slot.index

@@ -32,6 +32,8 @@ def unknown_symbol_type(script: Script, facts: ScriptFacts) -> Iterator[Finding]
     """
 
     for symbol in script.header.dropped:
+        if symbol.type == "code" and script.rejected:
+            break  # the end of the symbols is missing, and all of this is code
         if symbol.type not in TYPES and not symbol.type.startswith(("//", ";")):
             near = did_you_mean(symbol.type, sorted(TYPES))
             yield Finding(

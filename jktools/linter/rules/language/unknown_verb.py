@@ -11,6 +11,9 @@ from jktools.linter.spelling import did_you_mean
 from jktools.model.cog.program import Role
 from jktools.syntax.cog import Script
 
+FOREIGN = frozenset({"elseif", "switch"})
+"""Words of other languages that look like calls."""
+
 
 @rule("JK531", "unknown-verb", severity=Severity.ERROR, since="0.1.0", looks_at=Script)
 def unknown_verb(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
@@ -34,6 +37,8 @@ def unknown_verb(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
     """
     program = facts.program
     for name, places in program.called.items():
+        if script.rejected and name in FOREIGN:
+            continue  # the fault where the engine stops tells of it
         role = program.role_of(name)
         if role is Role.VERB or name in program.labels or facts.vocabulary.elsewhere(name) is not None:
             continue

@@ -32,6 +32,8 @@ def unreachable_code(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
     if not facts.is_whole:
         return
     for statement in facts.reach.dead:
+        if facts.is_doubtful(statement.start, statement.start + 1):
+            continue
         above = facts.reach.flow.blocks[0]
         early = statement in above.statements
         yield Finding(

@@ -42,8 +42,8 @@ def unused_result(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
             return;
         end
     """
-    for statement in facts.program.statements:
-        if isinstance(statement, ExprStatement) and isinstance(statement.expression, Call):
+    for statement in facts.program.of_kind(ExprStatement):
+        if isinstance(statement.expression, Call):
             verb = facts.program.verb_of(statement.expression)
             if verb is not None and verb.pure and verb.sight is None:
                 yield Finding(

@@ -42,7 +42,7 @@ def unused_symbol(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
         end
     """
     program = facts.program
-    if not facts.is_whole or any(isinstance(part, Index) for part in program.expressions):
+    if not facts.is_whole or program.of_kind(Index):
         return
     for slot in program.slots:
         if slot.declared is None or slot.type == "message" or program.slot_of[slot.name] is not slot:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import ScriptFacts
-from jktools.facts.cog.ranges import STRING, VECTOR, Range
+from jktools.facts.cog.ranges import NUMBER, STRING, VECTOR, Range
 from jktools.linter.rule import Finding, rule
 from jktools.model.cog.program import Program
 from jktools.model.cog.verbs import REFERENCES, Argument
@@ -54,7 +54,7 @@ def wrong_argument_kind(script: Script, facts: ScriptFacts) -> Iterator[Finding]
             continue
         for written, argument, value in zip(site.call.arguments, site.verb.args, site.arguments, strict=True):
             given = _misread(facts.program, written, argument, value)
-            if given:
+            if given and not facts.is_doubtful(written.start, written.end):
                 yield Finding(
                     facts.label(written),
                     f"{argument.name} of {site.verb.name} is a {argument.kind}, but gets {given}",
@@ -70,12 +70,10 @@ def _misread(program: Program, written: Expression, argument: Argument, value: R
         return None if value.kinds & VECTOR else "a string" if value.is_string else "a number"
     if argument.kind == "string":
         return None if value.kinds & STRING else "a vector" if value.is_vector else "a number"
-    if value.is_vector or value.is_string:
+    if not value.kinds & NUMBER and (value.is_vector or value.is_string):
         return "a vector" if value.is_vector else "a string"
-    own = object_kind(program, written)
-    if own is not None and argument.kind in REFERENCES and own != argument.kind:
-        return f"a {own}"
-    return None
+    own = object_kind(program, written) if argument.kind in REFERENCES else None
+    return f"a {own}" if own is not None and own != argument.kind else None
 
 
 def object_kind(program: Program, written: Expression) -> str | None:
