@@ -284,3 +284,8 @@ def test_more_geosets_than_the_engine_has_room_for() -> None:
     for count in (4, 5):
         text = BLOCK[:start].replace("GEOSETS 1", f"GEOSETS {count}") + geoset * count + BLOCK[end:]
         assert [c for c, _, _ in told(text)] == (["JK816"] if count > 4 else [])
+
+
+def test_lost_geometry_is_told_once() -> None:
+    """The nodes name meshes that are there and could not be read: nothing is wrong with the nodes."""
+    assert [(code, line) for code, line, _ in told(BLOCK.replace("0 0 .12", "0 0 x", 1))] == [("JK030", 12)]
