@@ -85,7 +85,7 @@ def test_usage_is_counted(tmp_path: Path) -> None:
     mod, game = install(tmp_path, without="voice/hello.wav")
     stats = check([str(mod)], Settings(base=(str(game),)), stats=True).stats
     assert {c.kind: (c.own, c.base, c.missing, c.unused) for c in stats} == {
-        "material": (2, 2, 0, 0),  # stone and glass; wall and lost
+        "material": (2, 3, 0, 0),  # stone and glass; wall, lost and smoke
         "model": (2, 1, 0, 0),  # block and lost; ky
         "sprite": (1, 1, 0, 0),
         "keyframe": (1, 1, 0, 0),

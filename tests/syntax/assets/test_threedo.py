@@ -288,4 +288,6 @@ def test_more_geosets_than_the_engine_has_room_for() -> None:
 
 def test_lost_geometry_is_told_once() -> None:
     """The nodes name meshes that are there and could not be read: nothing is wrong with the nodes."""
-    assert [(code, line) for code, line, _ in told(BLOCK.replace("0 0 .12", "0 0 x", 1))] == [("JK030", line_of(BLOCK, "INSERT OFFSET"))]
+    assert [(code, line) for code, line, _ in told(BLOCK.replace("0 0 .12", "0 0 x", 1))] == [
+        ("JK030", line_of(BLOCK, "INSERT OFFSET"))
+    ]
