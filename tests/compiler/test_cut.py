@@ -177,3 +177,10 @@ def test_a_number_beyond_them_reaches_nothing(number: str, tmp_path: Path) -> No
     code = DOOR.replace('loadtemplate("turret")', f"creatething({number}, other)")
     (tmp_path / "cog/door.cog").write_text(code)
     assert names(compiled(tmp_path / "jkl/rooms.jkl")) == plain
+
+
+def test_numbers_from_0x8000_on_count_the_templates_of_the_game(tmp_path: Path) -> None:
+    code = DOOR.replace('loadtemplate("turret")', "creatething(0x8000, other); creatething(0x8001, other)")
+    reach = LevelFacts(load(str(folder(tmp_path, cog=code)))).reach
+    assert reach.templates["nothing"] == "its number in creatething of door.cog"
+    assert not any("its number" in why for name, why in reach.templates.items() if name != "nothing")

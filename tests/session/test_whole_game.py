@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from jktools.compiler import CompiledLevel, compile_level
@@ -167,3 +168,18 @@ def test_a_missing_cog_of_the_game_keeps_every_template(name: str, tmp_path: Pat
     mod, game = install(tmp_path, without=f"cog/{name}")
     level = CompiledLevel(compile_level(load(f"{mod}!jkl/rooms.jkl", base=[str(game)])))
     assert level.passes["templates"]["note"] == f"all 16 stay: what they reach is not known without {name}"
+
+
+def test_a_parent_of_the_game_gives_its_values(tmp_path: Path) -> None:
+    mod, game = install(tmp_path)
+    held = load(f"{mod}!jkl/rooms.jkl", base=[str(game)]).resolved_templates.get("guard")
+    assert held is not None
+    assert (held.type, held.move, held.number("size"), held.leaves_level) == (
+        "actor",
+        "physics",
+        float(np.float32(0.065)),
+        False,
+    )
+    alone = load(f"{mod}!jkl/rooms.jkl").resolved_templates.get("guard")
+    assert alone is not None
+    assert alone.leaves_level

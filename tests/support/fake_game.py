@@ -110,7 +110,7 @@ TEMPLATES = """World templates 16
 walkplayer _walk type=player model3d=ky.3do puppet=ky.pup soundclass=ky.snd cog=kyle.cog
 crate none type=cog collide=1 size=.1
 bit none type=debris sprite=flash.spr
-smoke none type=particle particle=smoke.par count=4 elementsize=.02 range=1 material=smoke.mat minsize=.01 rate=1 timer=1
+smoke none type=particle particle=smoke.par count=4 elementsize=.02 material=smoke.mat
 bang none type=explosion debris=bit creatething=smoke
 guard _walk aiclass=guard.ai explode=bang
 by_static none type=item
