@@ -76,6 +76,8 @@ def listing(level: Level) -> Iterator[str]:
         (str(t.index), t.name, t.parent_name, t.resolved.type if t.resolved.knows_type else "?", t.dropped or "")
         for t in level.templates
     ]
+    if not rows:
+        yield f"{level.path} has no templates"
     widths = [max((len(row[i]) for row in rows), default=0) for i in range(4)]
     for row in rows:
         cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=False)]

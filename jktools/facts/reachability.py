@@ -5,8 +5,9 @@ creates by name. From a template to those that it creates, explodes into, shoots
 model, sprite, puppet, sounds, AI and COG; from a COG to the values and defaults of its symbols and to every string in
 its code that names a template or a file; from a file to the files that it names.
 
-A template's parent is not reached through it: the engine copies it while it reads, and needs it no more. A number that
-a script uses in place of a template is not followed.
+A template's parent is not reached through it: the engine copies it while it reads, and needs it no more. A number in
+place of a template counts those that the engine keeps (sithTemplate_GetEntryByIdx in the decompiled engine); it is
+followed where the script's own code tells which it is.
 """
 
 from __future__ import annotations
@@ -31,6 +32,9 @@ ENGINE_TEMPLATES = ("walkplayer", "+ssparks_saber", "+ssparks_blood", "+ssparks_
 
 ITEMS = "items.dat"
 STATIC = "static.jkl"
+
+OF_STATIC = 0x8000
+"""Added to the numbers of what static.jkl defines."""
 
 _FILES: Mapping[str, Kind] = MappingProxyType(
     {
@@ -198,6 +202,20 @@ class _Search:
             if isinstance(word, String):
                 self._template(word.value, f'"{word.value}" in the code of {name}')
                 self._named(word.value, name)
+        for site in facts.rates.sites:
+            for argument, value in zip(site.verb.args, site.arguments, strict=False):
+                if argument.kind == "template" and value.number is not None:
+                    self._numbered(value.number, f"its number in {site.verb.name} of {name}")
+
+    def _numbered(self, number: float, why: str) -> None:
+        """A template by its place among those that the engine keeps, the game's own with `OF_STATIC` added."""
+        if not 0 <= number < 2 * OF_STATIC:
+            return
+        level = self.level.static if number >= OF_STATIC else self.level
+        kept = [] if level is None else [each for each in level.templates if each.dropped is None]
+        index = int(number) % OF_STATIC
+        if index < len(kept):
+            self._template(kept[index].name, why)
 
     def _named(self, text: str, script: str) -> None:
         """A string in code that looks like a file."""

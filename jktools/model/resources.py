@@ -93,12 +93,26 @@ class Found:
 _Parsed = TypeVar("_Parsed")
 
 
+_FOLDERS = tuple(dict.fromkeys(folder for kind in Kind for folder in kind.folders if folder))
+
+
+def _base(path: str) -> list[Root]:
+    """The places of one base; a path that was mistyped would make every file a missing one."""
+    roots = open_roots(path)
+    if all(next(root.beneath(_FOLDERS), None) is None for root in roots):
+        raise InputError(
+            f"cannot use {path} as a base: it holds none of the game's folders (jkl, cog, mat, 3do, ...), nor packs "
+            "with them; name the folder that the game is installed in"
+        )
+    return roots
+
+
 class Library:
     """What a run reads files from: its bases, opened once, and the contents that are kept."""
 
     def __init__(self, base: Sequence[str] = ()) -> None:
-        """Open the bases in their order. Raises InputError when one cannot be opened."""
-        self.base: tuple[Root, ...] = tuple(root for path in base for root in open_roots(path))
+        """Open the bases in their order. Raises InputError when one cannot be opened, or holds nothing of a game."""
+        self.base: tuple[Root, ...] = tuple(root for path in base for root in _base(path))
         self._homes: OrderedDict[str, Root] = OrderedDict()
         self._kept: OrderedDict[tuple[str, str], tuple[int, object]] = OrderedDict()
         self._bytes = 0

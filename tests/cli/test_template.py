@@ -127,3 +127,10 @@ def test_the_transcript_in_the_readme_is_real(
     shown, _, _ = behind.partition("\n```")
     assert shown
     assert out(capsys, "masspack.gob!jkl/lagoon.jkl", "walkplayer").rstrip("\n") == shown
+
+
+def test_a_level_without_templates_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    empty = tmp_path / "empty.tpl"
+    empty.write_text("# nothing yet\n")
+    assert main(["template", str(empty)]) == 0
+    assert capsys.readouterr().out == f"{empty} has no templates\n"

@@ -163,3 +163,24 @@ def test_every_way_there_is_told(tmp_path: Path) -> None:
 def test_what_the_engine_creates_by_name_stays(name: str) -> None:
     level = level_of(two_rooms("World templates 4", f"{name} none type=cog"))
     assert name in LevelFacts(level).reach.templates
+
+
+@pytest.mark.parametrize(("number", "name"), [("8", "gun"), ("8.9", "gun"), ("3", "base")])
+def test_a_number_counts_the_templates_that_the_engine_keeps(number: str, name: str, tmp_path: Path) -> None:
+    code = DOOR.replace('loadtemplate("turret")', f"creatething({number}, other)")
+    assert name in names(compiled(folder(tmp_path, cog=code)))
+
+
+@pytest.mark.parametrize("number", ["-1", "99", "-32768", "70000", "1e30"])
+def test_a_number_beyond_them_reaches_nothing(number: str, tmp_path: Path) -> None:
+    plain = names(compiled(folder(tmp_path, cog=DOOR.replace('loadtemplate("turret");', ""))))
+    code = DOOR.replace('loadtemplate("turret")', f"creatething({number}, other)")
+    (tmp_path / "cog/door.cog").write_text(code)
+    assert names(compiled(tmp_path / "jkl/rooms.jkl")) == plain
+
+
+def test_numbers_from_0x8000_on_count_the_templates_of_the_game(tmp_path: Path) -> None:
+    code = DOOR.replace('loadtemplate("turret")', "creatething(0x8000, other); creatething(0x8001, other)")
+    reach = LevelFacts(load(str(folder(tmp_path, cog=code)))).reach
+    assert reach.templates["nothing"] == "its number in creatething of door.cog"
+    assert not any("its number" in why for name, why in reach.templates.items() if name != "nothing")

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from jktools.session import Settings, check
+from jktools.source import InputError
 from tests.support.assets import BLOCK
 from tests.support.levels import gob_of, two_rooms
 from tests.support.packs import write
@@ -172,3 +173,83 @@ def test_values_of_another_kind_than_their_symbol() -> None:
     ]
     right = pack("right.gob", ("cog\\door.cog", script), level=level.replace("wind.mat", "wind.wav"))
     assert told(right, "JK114") == []
+
+
+def test_a_missing_file_is_told_once_however_it_is_named() -> None:
+    level = rooms("World AIClasses 1", "0: guard.ai", "World templates 4", "guard none type=actor aiclass=guard.ai")
+    mod = pack("mod.gob", level=level)
+    pack("game.gob", ("mat\\wall.mat", TEXTURE))
+    guards = [code for code, m in told(mod, "JK110", "JK111", base=("game.gob",)) if "guard.ai" in m]
+    assert guards == ["JK111"]
+
+
+def test_a_base_without_anything_of_a_game_is_refused() -> None:
+    mod = pack("mod.gob", level=rooms())
+    write(Path("photos/cat.jpg"), b"")
+    with pytest.raises(InputError, match="cannot use photos as a base: it holds none of the game's folders"):
+        check([mod], Settings(base=("photos",)))
+    write(Path("photos/Resource/res.gob"), gob_of([("mat\\wall.mat", TEXTURE)]))
+    assert check([mod], Settings(base=("photos",), select=("JK201",))).problems == []
+
+
+def test_faces_that_texture_a_colour() -> None:
+    files = [("mat\\glass.mat", COLOUR), ("mat\\stone.mat", TEXTURE)]
+    mod = pack("mod.gob", ("3do\\block.3do", BLOCK.encode()), *files)
+    assert told(mod, "JK142") == [
+        ("JK142", 'face 0 of mesh "arm" has geometry mode 4, but its material "glass.mat" is a colour')
+    ]
+    plain = BLOCK.replace("0: 1 0x2 4 3 1", "0: 1 0x2 3 3 1")
+    assert told(pack("plain.gob", ("3do\\block.3do", plain.encode()), *files), "JK142") == []
+
+
+def test_long_names_in_assets_and_parameters() -> None:
+    long, fits = "a" * 28 + ".wav", "a" * 27 + ".wav"
+    mod = pack("mod.gob", ("misc\\snd\\ky.snd", f"create {long}\nfall {fits}\n".encode()))
+    assert told(mod, "JK141") == [
+        ("JK141", f'the file names "{long}" of 32 characters, but the engine keeps 31')
+    ]  # fmt: skip
+    model = "b" * 28 + ".3do"
+    level = rooms(
+        "World templates 4", f"box none type=cog model3d={model} size=1 orient=(1.000000000000/2.000000000/3)"
+    )
+    assert told(pack("level.gob", level=level), "JK012") == [
+        ("JK012", f'template 3 has the name "{model}" of 32 characters, but the engine keeps 31')
+    ]
+
+
+GOALS = """symbols
+message startup
+thing player local
+end
+code
+startup:
+player = GetLocalPlayerThing();
+SetInv(player, {base});
+SetGoalFlags(player, {goal});
+return;
+end
+"""
+
+
+@pytest.mark.parametrize(
+    ("base", "goal", "table", "wanted"),
+    [
+        ("99, 1000", "1, 1", "GOAL_01001", None),
+        ("99, 1000", "1, 1", "goal_01001", None),
+        ("99, 1000", "2, 1", "GOAL_01001", "cog 0 (goals.cog) shows goal 2, but {} has no GOAL_01002"),
+        ("99, 1000", "50, 1", "GOAL_01050", "cog 0 (goals.cog) shows goal 50, but the game lists 0 to 49"),
+        ("99, 1000", "-1, 1", "GOAL_00999", "cog 0 (goals.cog) shows goal -1, but the game lists 0 to 49"),
+        ("99, 1000", "2, 2", "GOAL_01001", None),  # done, and never shown
+        ("99, 1000", "Rand(), 1", "GOAL_01001", None),
+        ("98, 1000", "2, 1", "GOAL_01001", None),  # who sets bin 99 is not known
+        ("99, 1000*Rand()", "2, 1", "GOAL_01001", None),
+    ],
+)
+def test_goals_have_a_text(base: str, goal: str, table: str, wanted: str | None) -> None:
+    level = rooms("World cogs 1", "0: goals.cog")
+    cog = GOALS.format(base=base, goal=goal).encode()
+    texts = f'MSGS 1\n"{table}" 0 "Find it"\nEND\n'.encode()
+    mod = pack("mod.gob", ("cog\\goals.cog", cog), ("misc\\cogStrings.uni", texts), level=level)
+    found = [] if wanted is None else [("JK115", wanted.format("mod.gob!misc/cogStrings.uni"))]
+    assert told(mod, "JK115") == found
+    assert told(pack("bare.gob", ("cog\\goals.cog", cog), level=level), "JK115") == []

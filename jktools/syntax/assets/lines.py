@@ -38,7 +38,7 @@ class LineReader:
         self.at = 0
         self.faults = FaultList(source)
         self._told_blank = skips_blank
-        self._told_end = False
+        self._told_at = -1
         for line in self.lines.cut_lines():
             self.fault(
                 faults.MALFORMED_ASSET, line,
@@ -118,9 +118,9 @@ class LineReader:
         What stands before it is passed over, but nothing beyond a line of `stops`.
         """
         if not self.is_at(record):
-            if self.done and self._told_end:
-                return None
-            self._told_end = self.done
+            if self.at == self._told_at:  # the same line, or the end, was not what came before either
+                return self.value(record, stops) if self.seek(record, stops) else None
+            self._told_at = self.at
             found = "the file ends" if self.done else f"found {quote(self.text())}"
             self.fault(
                 faults.MALFORMED_ASSET, self.at, f'expected the line "{record.keyword}", but {found}',

@@ -144,7 +144,10 @@ def read_sprite(source: Source, game: str = "jk") -> Sprite:
     line = next(fields.lines(), -1)
     values = fields.read(records.SPRITE, line) if line >= 0 else None
     if line < 0:
-        fields.reader.fault(faults.MALFORMED_ASSET, -1, "expected a line with a sprite, but the file has none")
+        fields.reader.fault(
+            faults.MALFORMED_ASSET, -1, "expected a line with a sprite, but the file has none",
+            f"write its material, type, size, modes, light and offset; {fields.reader.effect}",
+        )  # fmt: skip
     if values is None:
         return Sprite(source=source, diagnostics=fields.reader.faults.finish())
     material, kind = str(values[0]), ints([str(values[1])])[0][0]

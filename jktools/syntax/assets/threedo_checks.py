@@ -94,8 +94,9 @@ def _check_nodes(lines: LineReader, model: Model) -> None:
     if not len(nodes):
         return
     meshes = min((len(geoset.meshes) for geoset in model.geosets), default=0)
+    lost = not model.geosets and lines.faults.found  # told already: the meshes are there, and could not be read
     for column, kind, count in (
-        (nodes.mesh, "mesh", meshes),
+        *(() if lost else ((nodes.mesh, "mesh", meshes),)),
         (nodes.parent, "parent", len(nodes)),
         (nodes.child, "child", len(nodes)),
         (nodes.sibling, "sibling", len(nodes)),

@@ -153,3 +153,24 @@ def test_sounds_that_the_engine_cannot_play() -> None:
 @pytest.mark.skipif(not WAVES, reason="the corpus of real mods is not at hand")
 def test_real_sounds_can_be_played() -> None:
     assert [heard(data) for _, data in WAVES] == [[]] * 6
+
+
+def test_a_side_of_a_picture_is_never_below_1() -> None:
+    assert codes(mat([(8, 3, 0)], [(16, 2, 0, 4), (1, 16, 0, 5)])) == []
+
+
+def test_a_cel_without_its_texture_has_no_size() -> None:
+    assert read(mat([(8, 3, 1)], [(8, 8, 0, 1)])).size is None
+
+
+def test_absurd_numbers_of_sizes_are_no_picture() -> None:
+    good = mat([(8, 3, 0)], [(8, 8, 0, 1)])
+    at = len(good) - 64 - 4  # the last field before the pixels
+    for sizes in (0, 33, 2**32 - 1):
+        assert codes(good[:at] + struct.pack("<I", sizes) + good[at + 4 :])[0] == "JK036"
+
+
+def test_only_the_flag_of_transparency_brings_its_table() -> None:
+    head = struct.pack("<4sII3f", b"CMP ", 30, 4, 1, 1, 1).ljust(64, b"\0")
+    colormap = read_colormap(Source("x.cmp", head + bytes(768 + 64 * 256)))
+    assert (colormap.diagnostics, colormap.has_light, colormap.has_transparency) == ((), True, False)

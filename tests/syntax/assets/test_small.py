@@ -192,3 +192,18 @@ def test_real_files() -> None:
         "Phaser.gob!ui/jkstrings.uni": ["JK032"],
         "masspack.gob!misc/cogstrings.uni": ["JK032", "JK031"],
     }
+
+
+@pytest.mark.parametrize("extension", ["par", "key", "jk"])
+def test_a_file_of_something_else_is_told_once(extension: str) -> None:
+    """Each line that should come is missing, but the one line that stands there is wrong once."""
+    assert [code for code, _ in told(extension, "title\nsomething else\n")] == ["JK030"]
+    assert [code for code, _ in told(extension, "\x00\x01\x02" * 300)] == ["JK030"]
+
+
+def test_two_missing_lines_in_two_places_are_told_both() -> None:
+    text = PAR.replace("SIZE 0.02\n", "").replace("RADIUS 0.5\n", "")
+    assert [m for _, m in told("par", text)] == [
+        'expected the line "size", but found "MATERIAL smoke.mat"',
+        'expected the line "radius", but found "INSERT OFFSET 0 0 0"',
+    ]

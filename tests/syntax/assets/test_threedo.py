@@ -284,3 +284,24 @@ def test_more_geosets_than_the_engine_has_room_for() -> None:
     for count in (4, 5):
         text = BLOCK[:start].replace("GEOSETS 1", f"GEOSETS {count}") + geoset * count + BLOCK[end:]
         assert [c for c, _, _ in told(text)] == (["JK816"] if count > 4 else [])
+
+
+def test_lost_geometry_is_told_once() -> None:
+    """The nodes name meshes that are there and could not be read: nothing is wrong with the nodes."""
+    assert [(code, line) for code, line, _ in told(BLOCK.replace("0 0 .12", "0 0 x", 1))] == [
+        ("JK030", line_of(BLOCK, "INSERT OFFSET"))
+    ]
+
+
+def test_a_textured_face_may_name_texture_vertex_0_where_there_is_none() -> None:
+    bare = BLOCK.replace("TEXTURE VERTICES 1\n0: 0 0\n", "TEXTURE VERTICES 0\n")
+    assert told(bare) == []
+    assert [code for code, _, _ in told(bare.replace("0, 0 1, 0 2, 0", "0, 0 1, 0 2, 1"))] == ["JK033"]
+
+
+def test_a_face_with_a_negative_number_of_corners_has_none() -> None:
+    model = model_of(BLOCK.replace("4 3 1 0 4 0, 0", "4 3 1 0 -1 0, 0"))
+    faces = model.geosets[0].meshes[0].faces
+    assert faces.broken.tolist() == [True]
+    assert faces.corner_vertex.tolist() == []
+    assert any(d.code.id == "JK032" for d in model.diagnostics)

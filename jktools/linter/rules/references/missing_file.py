@@ -25,10 +25,10 @@ def missing_file(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     files = level.resources
     if not files.has_base:
         return
-    told = set()
+    told = {(r.kind, r.name.lower()) for r in facts.file_references if fails_the_level(files, r)}
     for reference in facts.file_references:
         key = (reference.kind, reference.name.lower())
-        if key in told or files.find(*key) is not None or fails_the_level(files, reference):
+        if key in told or files.find(*key) is not None:
             continue
         told.add(key)
         yield Finding(

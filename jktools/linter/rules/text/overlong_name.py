@@ -2,12 +2,16 @@
 
 from collections.abc import Iterable, Iterator
 
+import numpy as np
+
 from jktools.diagnostics import Label, Severity, Subject
 from jktools.facts import LevelFacts
+from jktools.facts.references import PARAMETER_KINDS
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 from jktools.source import Span
-from jktools.syntax.jkl import Document, Table, records
+from jktools.syntax.jkl import Document, Parameters, Table, records
+from jktools.syntax.template.parameters import TEMPLATE_KEYS
 
 MOST_CHARACTERS = 31
 """Of a name; the engine keeps names in 32 bytes, one of which ends them (sithWorld.h in the decompiled engine)."""
@@ -15,7 +19,7 @@ MOST_CHARACTERS = 31
 
 @rule("JK012", "overlong-name", severity=Severity.ERROR, since="0.1.0")
 def overlong_name(level: Level, facts: LevelFacts) -> Iterator[Finding]:
-    """Report a file, template or thing with a name of more than 31 characters, and a COG's value as long.
+    """Report a name of a file, template or thing with more than 31 characters, also in a parameter or a COG's value.
 
     ## Why it matters
     The engine keeps names in fields of 32 bytes. What is longer is cut off, so that it names something else, or,
@@ -24,6 +28,10 @@ def overlong_name(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     ## Bad
         World materials 2
         1: a_very_long_name_of_a_material_file.mat 1 1
+
+    ## Bad
+        World templates 4
+        barrel none type=cog model3d=a_barrel_that_holds_a_lot_of_oil.3do
 
     ## Bad
         World cogs 1
@@ -53,6 +61,8 @@ def _names(document: Document) -> Named:
     yield from _column(document, "template", document.templates, document.templates.names)
     yield from _column(document, "thing", document.things, document.things.names)
     yield from _column(document, "cog", document.cogs, document.cogs.scripts)
+    yield from _parameters(document, "template", document.templates, document.templates.parameters)
+    yield from _parameters(document, "thing", document.things, document.things.parameters)
     sectors = document.sectors
     sounds = [(i, name) for i, name in enumerate(sectors.sound) if name is not None and len(name) > MOST_CHARACTERS]
     for i, name in sounds:
@@ -70,3 +80,14 @@ def _column(document: Document, kind: str, table: Table, names: Iterable[str]) -
     for i, name in enumerate(names):
         if len(name) > MOST_CHARACTERS:
             yield kind, i, name, document.lines.span(int(table.lines[i]))
+
+
+def _parameters(document: Document, kind: str, table: Table, words: Parameters) -> Named:
+    for at in [at for at, value in enumerate(words.values) if len(value) > MOST_CHARACTERS]:
+        key, value = words.keys[at].lower(), words.values[at]
+        if key not in PARAMETER_KINDS and key not in TEMPLATE_KEYS:
+            continue
+        i = int(np.searchsorted(words.start, at, "right")) - 1
+        line = int(table.lines[i])
+        found = document.lines.text(line).rfind(value)
+        yield kind, i, value, document.lines.part(line, found, found + len(value))

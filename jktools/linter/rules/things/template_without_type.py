@@ -15,7 +15,8 @@ def template_without_type(level: Level, facts: LevelFacts) -> Iterator[Finding]:
 
     ## Why it matters
     Its type is then `free`, and the engine drops such a template once it has read it: nothing can be placed or created
-    from it. Templates with parents that the level does not define are not judged.
+    from it. Templates with parents that the level does not define are not judged. Modders' advice that a template with
+    a 3DO needs a parent comes to this: the parent `none` does no harm, and what a parent brings is the type.
 
     ## Bad
         World templates 4
