@@ -5,8 +5,10 @@ from __future__ import annotations
 from functools import cached_property
 
 from jktools import geometry
+from jktools.engine.profile import Engine
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.movers import Mover, movers
+from jktools.facts.occluders import Occluders
 from jktools.facts.openings import named_by_cogs
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
@@ -27,6 +29,7 @@ from jktools.geometry import (
     VisibleSectors,
 )
 from jktools.geometry.collision import Collision
+from jktools.geometry.engine_sight import SightFaces
 from jktools.geometry.validity import Int32
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
@@ -44,6 +47,15 @@ class LevelFacts:
         self.level = level
         self.vocabulary = vocabulary or Vocabulary(level.game)
         self._cels: dict[int, int | None] = {}
+        self._sight_faces: dict[Engine, SightFaces] = {}
+
+    @classmethod
+    def of(cls, level: Level) -> LevelFacts:
+        """Give the facts that are kept with a level, of the game's own verbs: the same at each call."""
+        kept = level.kept.get(cls)
+        if not isinstance(kept, cls):
+            kept = level.kept[cls] = cls(level)
+        return kept
 
     @cached_property
     def file_references(self) -> tuple[FileReference, ...]:
@@ -94,6 +106,22 @@ class LevelFacts:
     def overlaps(self) -> Overlaps:
         """The pairs of sectors that overlap."""
         return geometry.sector_overlaps(self.mesh)
+
+    @cached_property
+    def occluders(self) -> Occluders:
+        """The solid things."""
+        return Occluders(self.level)
+
+    def sight_faces(self, engine: Engine) -> SightFaces:
+        """Give the sectors as sight meets them in a profile."""
+        if engine not in self._sight_faces:
+            self._sight_faces[engine] = SightFaces(self.level, engine)
+        return self._sight_faces[engine]
+
+    @cached_property
+    def openable(self) -> frozenset[int]:
+        """The same as `openable_surfaces`, to look one up."""
+        return frozenset(self.openable_surfaces.tolist())
 
     @cached_property
     def openable_surfaces(self) -> Int32:
