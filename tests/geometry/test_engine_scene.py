@@ -101,6 +101,10 @@ def test_an_end_by_an_edge_touches_both_faces_and_a_passage_none() -> None:
     level = level_of(rooms(things=(START, "1: ghost b .999995 1.999995 .5 0 0 0 1", "2: ghost c .5 1 .5 0 0 0 1")))
     assert engine(level).touching == (9, 11)
     assert engine(level, 0, 2).touching == ()
+    outside = "1: ghost b 1.000003 2.000003 .5 0 0 0 1", "2: ghost c 1.000009 2.000009 .5 0 0 0 1"
+    level = level_of(rooms(things=(START, *outside)))
+    assert [engine(level, 0, end).touching for end in (1, 2)] == [(9, 11), ()], "4e-6 and 1.3e-5 JKU from the edge"
+    level = level_of(rooms(things=(START, "1: ghost b .5 1.8 .5 0 0 0 1", "2: ghost c .5 1 .5 0 0 0 1")))
     assert engine(level, 0, 2).verdict is SEEN
 
 
@@ -147,12 +151,19 @@ def test_a_sector_whose_collide_box_holds_the_end_is_skipped(box: str, verdict: 
     assert ("counts as clear" in "\n".join(tell(level, engine(level)))) == (cut is not None)
 
 
-@pytest.mark.parametrize(("y", "verdict"), [("1.9", HIDDEN), ("2.000005", HIDDEN), ("2.0001", SEEN)])
+@pytest.mark.parametrize(("y", "verdict"), [("1.9", HIDDEN), ("2.000005", HIDDEN), ("2.000015", SEEN), ("2.0001", SEEN)])
 def test_a_face_that_the_start_lies_behind_is_not_seen(y: str, verdict: Verdict) -> None:
     level = level_of(rooms(things=(f"0: ghost a .5 {y} .5 0 0 0 1", "1: ghost b .5 3 .5 0 0 0 1")))
     assert both(level) == (HIDDEN if y == "1.9" else SEEN, verdict)
     away = level_of(rooms(things=(f"0: ghost a .5 {y} .5 0 0 0 1", "1: ghost b .5 1.5 .5 0 0 0 1")))
     assert engine(away).verdict is SEEN, "going inward"
+
+
+def test_going_inward_behind_a_face_and_sliding_along_it_do_not_meet_it() -> None:
+    level = level_of(rooms(things=("0: ghost a .5 2.000005 .5 0 0 0 1", "1: ghost b .5 2.000002 .5 0 0 0 1")))
+    assert both(level) == (SEEN, SEEN)
+    along = level_of(rooms(things=("0: ghost a .2 2 .5 0 0 0 1", "1: ghost b .8 2 .5 0 0 0 1")))
+    assert both(along) == (SEEN, SEEN)
 
 
 @pytest.mark.parametrize(("count", "verdict"), [(64, HIDDEN), (65, SEEN)])
