@@ -45,6 +45,7 @@ bench: $(VENV)/built
 fuzz: $(VENV)/built
 	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py tests/geometry/test_occluders.py
 	python -m benchmarks.sight_disagreement --queries 1000000
+	python -m benchmarks.sees_disagreement --queries 1000000
 	python -m benchmarks.drop_disagreement --queries 1000000
 	python -m benchmarks.visibility_missed --level azulcity --each 2000
 	python -m benchmarks.visibility_missed --each 20

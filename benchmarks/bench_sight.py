@@ -1,5 +1,8 @@
 """Throughput of sight on real levels, in one run, as ratios to CGAL's AABB tree and to Embree.
 
+A second table is about targets whose sector is known: `sees`, which asks the potentially visible sectors first, and
+the same by walking alone, against Embree.
+
 `python -m benchmarks.bench_sight` builds native/benchmarks and prints the table.
 """
 
@@ -39,36 +42,48 @@ def write(path: Path, arrays: list[np.ndarray]) -> None:
             stream.write(np.int64(array.size).tobytes() + np.ascontiguousarray(array).tobytes())
 
 
-def race(program: Path) -> list[dict[str, float]]:
-    """Run the program on the raced levels; a row for each level and set."""
+Row = dict[str, float]
+
+
+def aimed(mesh: SectorMesh, queries: Queries) -> list[np.ndarray]:
+    """The queries whose target lies in a sector, with that sector."""
+    aims = mesh.locate(queries.targets)
+    inside = aims >= 0
+    return [*(column[inside] for column in queries), aims[inside]]
+
+
+def race(program: Path) -> tuple[list[Row], list[Row]]:
+    """Run the program on the raced levels; a row for each level and set, for `sight` and for `sees`."""
     rows = []
     for name, level in levels():
         if not name.endswith(RACED):
             continue
         rng = np.random.default_rng(1997)
+        mesh = SectorMesh.from_level(level)
         sets: list[Queries] = [SETS[key](level, QUERIES, rng) for key in SETS]
+        columns = [[*queries, mesh.locate(queries.targets), *aimed(mesh, queries)] for queries in sets]
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "queries"
-            write(file, [*mesh_arrays(level), *(column for queries in sets for column in queries)])
+            write(file, [*mesh_arrays(level), mesh.visible_sectors().rows, *(c for each in columns for c in each)])
             lines = subprocess.run([program, file], check=True, capture_output=True, text=True).stdout.splitlines()
         rows += [{"level": name, **json.loads(line)} for line in lines]
-    return rows
+    return rows[::2], rows[1::2]
 
 
 def geometric_mean(values: list[float]) -> float:
     return float(np.exp(np.mean(np.log(values))))
 
 
-def print_race(rows: list[dict[str, float]]) -> None:
-    rivals = [name for name in ("fast", "tree", "embree") if name in rows[0]]
+def print_race(rows: list[Row], first: str, others: tuple[str, ...]) -> None:
+    rivals = [name for name in others if name in rows[0]]
     head = "  ".join(f"{r + ' ns':>10} {'ratio':>6} {'differs':>8}" for r in rivals)
-    print(f"\n{'level':<30} {'set':<7} {'balanced ns':>11}  {head}")
+    print(f"\n{'level':<30} {'set':<7} {first + ' ns':>11}  {head}")
     for row in rows:
-        cells = "  ".join(f"{row[r]:10.1f} {row[r] / row['balanced']:6.2f} {row[r + ' differs']:8.3%}" for r in rivals)
-        print(f"{row['level'][-30:]:<30} {row['set']:<7} {row['balanced']:11.1f}  {cells}")
+        cells = "  ".join(f"{row[r]:10.1f} {row[r] / row[first]:6.2f} {row[r + ' differs']:8.3%}" for r in rivals)
+        print(f"{row['level'][-30:]:<30} {row['set']:<7} {row[first]:11.1f}  {cells}")
     for rival in rivals:
-        ratio = geometric_mean([row[rival] / row["balanced"] for row in rows])
-        print(f"balanced is {ratio:.2f} times as fast as {rival} (geometric mean)")
+        ratio = geometric_mean([row[rival] / row[first] for row in rows])
+        print(f"{first} is {ratio:.2f} times as fast as {rival} (geometric mean)")
 
 
 def print_calls() -> None:
@@ -98,7 +113,9 @@ def main() -> None:
     if not CORPUS.exists():
         print(f"no levels at {CORPUS}: nothing measured")
         return
-    print_race(race(build()))
+    sight, sees = race(build())
+    print_race(sight, "balanced", ("fast", "tree", "embree"))
+    print_race(sees, "sees", ("walked", "embree"))
     print_calls()
 
 

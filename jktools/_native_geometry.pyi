@@ -27,6 +27,14 @@ class Viewer:
         out of bounds.
         """
 
+    def sees(self, origins: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], sectors: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], targets: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], target_sectors: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], visible: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int) -> Annotated[NDArray[numpy.uint8], dict(shape=(None,))]:
+        """
+        Answer whether each target is seen in its sector, uint8, one entry a query.
+
+        target_sectors is (n,) int32, -1 for a target in none; visible the rows of bits of visible_sectors, flat
+        uint8, or empty. Raises ValueError naming the row that is out of bounds.
+        """
+
     def locate(self, points: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int) -> tuple[Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))]]:
         """
         Answer (sector, inside, touching), int32, one entry a point of (3n,) float64, JKU.

@@ -48,6 +48,21 @@ struct OmissionBuilder;
 struct Visibility;
 struct VisibilityBuilder;
 
+struct Hotspots;
+struct HotspotsBuilder;
+
+struct Lights;
+struct LightsBuilder;
+
+struct Particles;
+struct ParticlesBuilder;
+
+struct ColourEffects;
+struct ColourEffectsBuilder;
+
+struct Motion;
+struct MotionBuilder;
+
 struct Level;
 struct LevelBuilder;
 
@@ -1933,6 +1948,985 @@ inline ::flatbuffers::Offset<Visibility> CreateVisibilityDirect(
       row__);
 }
 
+/// Calls of verbs of sight in the scripts that run, the dearest first. What they cost is counted, at 50 frames a second.
+struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef HotspotsBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_COG = 4,
+    VT_SCRIPT = 6,
+    VT_VERB = 8,
+    VT_LINE = 10,
+    VT_THINGS = 12,
+    VT_MORE = 14,
+    VT_CALLS_PER_SECOND = 16,
+    VT_MEAN_SECTORS = 18,
+    VT_MEAN_SURFACES = 20,
+    VT_MOST_SECTORS = 22,
+    VT_MOST_SURFACES = 24,
+    VT_PAIRS = 26,
+    VT_VERDICT = 28
+  };
+  /// The placed COG, by its position in the section; -1 for a class COG, which things carry.
+  const ::flatbuffers::Vector<int32_t> *cog() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_COG);
+  }
+  const ::flatbuffers::Vector<uint32_t> *script() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SCRIPT);
+  }
+  const ::flatbuffers::Vector<uint32_t> *verb() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VERB);
+  }
+  /// Line of the call in the script, from 1.
+  const ::flatbuffers::Vector<int32_t> *line() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_LINE);
+  }
+  /// Things that carry the class COG, or whose pulses and timers reach the placed one.
+  const ::flatbuffers::Vector<int32_t> *things() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_THINGS);
+  }
+  /// 1 where play can create more things that carry it.
+  const ::flatbuffers::Vector<uint8_t> *more() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_MORE);
+  }
+  /// Of what lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing bounds it.
+  const ::flatbuffers::Vector<double> *calls_per_second() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_CALLS_PER_SECOND);
+  }
+  /// Of one call, on the mean and at most, over the places where both ends can be.
+  const ::flatbuffers::Vector<double> *mean_sectors() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_MEAN_SECTORS);
+  }
+  const ::flatbuffers::Vector<double> *mean_surfaces() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_MEAN_SURFACES);
+  }
+  const ::flatbuffers::Vector<int32_t> *most_sectors() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_MOST_SECTORS);
+  }
+  const ::flatbuffers::Vector<int32_t> *most_surfaces() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_MOST_SURFACES);
+  }
+  /// Pairs of places that were tried; 0 where the ends are not known.
+  const ::flatbuffers::Vector<int32_t> *pairs() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_PAIRS);
+  }
+  /// 0 never, 1 always, 2 varies.
+  const ::flatbuffers::Vector<int32_t> *verdict() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_VERDICT);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_COG) &&
+           verifier.VerifyVector(cog()) &&
+           VerifyOffset(verifier, VT_SCRIPT) &&
+           verifier.VerifyVector(script()) &&
+           VerifyOffset(verifier, VT_VERB) &&
+           verifier.VerifyVector(verb()) &&
+           VerifyOffset(verifier, VT_LINE) &&
+           verifier.VerifyVector(line()) &&
+           VerifyOffset(verifier, VT_THINGS) &&
+           verifier.VerifyVector(things()) &&
+           VerifyOffset(verifier, VT_MORE) &&
+           verifier.VerifyVector(more()) &&
+           VerifyOffset(verifier, VT_CALLS_PER_SECOND) &&
+           verifier.VerifyVector(calls_per_second()) &&
+           VerifyOffset(verifier, VT_MEAN_SECTORS) &&
+           verifier.VerifyVector(mean_sectors()) &&
+           VerifyOffset(verifier, VT_MEAN_SURFACES) &&
+           verifier.VerifyVector(mean_surfaces()) &&
+           VerifyOffset(verifier, VT_MOST_SECTORS) &&
+           verifier.VerifyVector(most_sectors()) &&
+           VerifyOffset(verifier, VT_MOST_SURFACES) &&
+           verifier.VerifyVector(most_surfaces()) &&
+           VerifyOffset(verifier, VT_PAIRS) &&
+           verifier.VerifyVector(pairs()) &&
+           VerifyOffset(verifier, VT_VERDICT) &&
+           verifier.VerifyVector(verdict()) &&
+           verifier.EndTable();
+  }
+};
+
+struct HotspotsBuilder {
+  typedef Hotspots Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_cog(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> cog) {
+    fbb_.AddOffset(Hotspots::VT_COG, cog);
+  }
+  void add_script(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> script) {
+    fbb_.AddOffset(Hotspots::VT_SCRIPT, script);
+  }
+  void add_verb(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> verb) {
+    fbb_.AddOffset(Hotspots::VT_VERB, verb);
+  }
+  void add_line(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> line) {
+    fbb_.AddOffset(Hotspots::VT_LINE, line);
+  }
+  void add_things(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> things) {
+    fbb_.AddOffset(Hotspots::VT_THINGS, things);
+  }
+  void add_more(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> more) {
+    fbb_.AddOffset(Hotspots::VT_MORE, more);
+  }
+  void add_calls_per_second(::flatbuffers::Offset<::flatbuffers::Vector<double>> calls_per_second) {
+    fbb_.AddOffset(Hotspots::VT_CALLS_PER_SECOND, calls_per_second);
+  }
+  void add_mean_sectors(::flatbuffers::Offset<::flatbuffers::Vector<double>> mean_sectors) {
+    fbb_.AddOffset(Hotspots::VT_MEAN_SECTORS, mean_sectors);
+  }
+  void add_mean_surfaces(::flatbuffers::Offset<::flatbuffers::Vector<double>> mean_surfaces) {
+    fbb_.AddOffset(Hotspots::VT_MEAN_SURFACES, mean_surfaces);
+  }
+  void add_most_sectors(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> most_sectors) {
+    fbb_.AddOffset(Hotspots::VT_MOST_SECTORS, most_sectors);
+  }
+  void add_most_surfaces(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> most_surfaces) {
+    fbb_.AddOffset(Hotspots::VT_MOST_SURFACES, most_surfaces);
+  }
+  void add_pairs(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> pairs) {
+    fbb_.AddOffset(Hotspots::VT_PAIRS, pairs);
+  }
+  void add_verdict(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> verdict) {
+    fbb_.AddOffset(Hotspots::VT_VERDICT, verdict);
+  }
+  explicit HotspotsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Hotspots> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Hotspots>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Hotspots> CreateHotspots(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> cog = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> script = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> verb = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> line = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> things = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> more = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> calls_per_second = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> mean_sectors = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> mean_surfaces = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> most_sectors = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> most_surfaces = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> pairs = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> verdict = 0) {
+  HotspotsBuilder builder_(_fbb);
+  builder_.add_verdict(verdict);
+  builder_.add_pairs(pairs);
+  builder_.add_most_surfaces(most_surfaces);
+  builder_.add_most_sectors(most_sectors);
+  builder_.add_mean_surfaces(mean_surfaces);
+  builder_.add_mean_sectors(mean_sectors);
+  builder_.add_calls_per_second(calls_per_second);
+  builder_.add_more(more);
+  builder_.add_things(things);
+  builder_.add_line(line);
+  builder_.add_verb(verb);
+  builder_.add_script(script);
+  builder_.add_cog(cog);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Hotspots> CreateHotspotsDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<int32_t> *cog = nullptr,
+    const std::vector<uint32_t> *script = nullptr,
+    const std::vector<uint32_t> *verb = nullptr,
+    const std::vector<int32_t> *line = nullptr,
+    const std::vector<int32_t> *things = nullptr,
+    const std::vector<uint8_t> *more = nullptr,
+    const std::vector<double> *calls_per_second = nullptr,
+    const std::vector<double> *mean_sectors = nullptr,
+    const std::vector<double> *mean_surfaces = nullptr,
+    const std::vector<int32_t> *most_sectors = nullptr,
+    const std::vector<int32_t> *most_surfaces = nullptr,
+    const std::vector<int32_t> *pairs = nullptr,
+    const std::vector<int32_t> *verdict = nullptr) {
+  auto cog__ = cog ? _fbb.CreateVector<int32_t>(*cog) : 0;
+  auto script__ = script ? _fbb.CreateVector<uint32_t>(*script) : 0;
+  auto verb__ = verb ? _fbb.CreateVector<uint32_t>(*verb) : 0;
+  auto line__ = line ? _fbb.CreateVector<int32_t>(*line) : 0;
+  auto things__ = things ? _fbb.CreateVector<int32_t>(*things) : 0;
+  auto more__ = more ? _fbb.CreateVector<uint8_t>(*more) : 0;
+  auto calls_per_second__ = calls_per_second ? _fbb.CreateVector<double>(*calls_per_second) : 0;
+  auto mean_sectors__ = mean_sectors ? _fbb.CreateVector<double>(*mean_sectors) : 0;
+  auto mean_surfaces__ = mean_surfaces ? _fbb.CreateVector<double>(*mean_surfaces) : 0;
+  auto most_sectors__ = most_sectors ? _fbb.CreateVector<int32_t>(*most_sectors) : 0;
+  auto most_surfaces__ = most_surfaces ? _fbb.CreateVector<int32_t>(*most_surfaces) : 0;
+  auto pairs__ = pairs ? _fbb.CreateVector<int32_t>(*pairs) : 0;
+  auto verdict__ = verdict ? _fbb.CreateVector<int32_t>(*verdict) : 0;
+  return jktools::CreateHotspots(
+      _fbb,
+      cog__,
+      script__,
+      verb__,
+      line__,
+      things__,
+      more__,
+      calls_per_second__,
+      mean_sectors__,
+      mean_surfaces__,
+      most_sectors__,
+      most_surfaces__,
+      pairs__,
+      verdict__);
+}
+
+/// Lights of things that neither physics nor a path moves, on the vertices of surfaces: without occlusion, intensity less
+/// 0.8 a JKU. The engine takes at most 32 lights into a frame, here all are kept.
+struct Lights FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef LightsBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_THING = 4,
+    VT_POSITION = 6,
+    VT_INTENSITY = 8,
+    VT_REACH = 10,
+    VT_VERTEX_START = 12,
+    VT_VERTEX = 14,
+    VT_AMOUNT = 16
+  };
+  /// The thing, by its position in the section.
+  const ::flatbuffers::Vector<int32_t> *thing() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_THING);
+  }
+  const ::flatbuffers::Vector<float> *position() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_POSITION);
+  }
+  const ::flatbuffers::Vector<float> *intensity() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_INTENSITY);
+  }
+  /// JKU.
+  const ::flatbuffers::Vector<float> *reach() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_REACH);
+  }
+  /// Cuts the vertices that each lights, ascending.
+  const ::flatbuffers::Vector<uint32_t> *vertex_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VERTEX_START);
+  }
+  const ::flatbuffers::Vector<int32_t> *vertex() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_VERTEX);
+  }
+  const ::flatbuffers::Vector<float> *amount() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_AMOUNT);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_THING) &&
+           verifier.VerifyVector(thing()) &&
+           VerifyOffset(verifier, VT_POSITION) &&
+           verifier.VerifyVector(position()) &&
+           VerifyOffset(verifier, VT_INTENSITY) &&
+           verifier.VerifyVector(intensity()) &&
+           VerifyOffset(verifier, VT_REACH) &&
+           verifier.VerifyVector(reach()) &&
+           VerifyOffset(verifier, VT_VERTEX_START) &&
+           verifier.VerifyVector(vertex_start()) &&
+           VerifyOffset(verifier, VT_VERTEX) &&
+           verifier.VerifyVector(vertex()) &&
+           VerifyOffset(verifier, VT_AMOUNT) &&
+           verifier.VerifyVector(amount()) &&
+           verifier.EndTable();
+  }
+};
+
+struct LightsBuilder {
+  typedef Lights Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_thing(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> thing) {
+    fbb_.AddOffset(Lights::VT_THING, thing);
+  }
+  void add_position(::flatbuffers::Offset<::flatbuffers::Vector<float>> position) {
+    fbb_.AddOffset(Lights::VT_POSITION, position);
+  }
+  void add_intensity(::flatbuffers::Offset<::flatbuffers::Vector<float>> intensity) {
+    fbb_.AddOffset(Lights::VT_INTENSITY, intensity);
+  }
+  void add_reach(::flatbuffers::Offset<::flatbuffers::Vector<float>> reach) {
+    fbb_.AddOffset(Lights::VT_REACH, reach);
+  }
+  void add_vertex_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> vertex_start) {
+    fbb_.AddOffset(Lights::VT_VERTEX_START, vertex_start);
+  }
+  void add_vertex(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> vertex) {
+    fbb_.AddOffset(Lights::VT_VERTEX, vertex);
+  }
+  void add_amount(::flatbuffers::Offset<::flatbuffers::Vector<float>> amount) {
+    fbb_.AddOffset(Lights::VT_AMOUNT, amount);
+  }
+  explicit LightsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Lights> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Lights>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Lights> CreateLights(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> thing = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> position = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> intensity = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> reach = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> vertex_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> vertex = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> amount = 0) {
+  LightsBuilder builder_(_fbb);
+  builder_.add_amount(amount);
+  builder_.add_vertex(vertex);
+  builder_.add_vertex_start(vertex_start);
+  builder_.add_reach(reach);
+  builder_.add_intensity(intensity);
+  builder_.add_position(position);
+  builder_.add_thing(thing);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Lights> CreateLightsDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<int32_t> *thing = nullptr,
+    const std::vector<float> *position = nullptr,
+    const std::vector<float> *intensity = nullptr,
+    const std::vector<float> *reach = nullptr,
+    const std::vector<uint32_t> *vertex_start = nullptr,
+    const std::vector<int32_t> *vertex = nullptr,
+    const std::vector<float> *amount = nullptr) {
+  auto thing__ = thing ? _fbb.CreateVector<int32_t>(*thing) : 0;
+  auto position__ = position ? _fbb.CreateVector<float>(*position) : 0;
+  auto intensity__ = intensity ? _fbb.CreateVector<float>(*intensity) : 0;
+  auto reach__ = reach ? _fbb.CreateVector<float>(*reach) : 0;
+  auto vertex_start__ = vertex_start ? _fbb.CreateVector<uint32_t>(*vertex_start) : 0;
+  auto vertex__ = vertex ? _fbb.CreateVector<int32_t>(*vertex) : 0;
+  auto amount__ = amount ? _fbb.CreateVector<float>(*amount) : 0;
+  return jktools::CreateLights(
+      _fbb,
+      thing__,
+      position__,
+      intensity__,
+      reach__,
+      vertex_start__,
+      vertex__,
+      amount__);
+}
+
+/// Templates of type particle that the level can reach, as the engine takes their values.
+struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef ParticlesBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_TEMPLATE_ = 4,
+    VT_MATERIAL = 6,
+    VT_CELS = 8,
+    VT_SPAWNED = 10,
+    VT_TIMER_MS = 12,
+    VT_FLAGS = 14,
+    VT_RANGE = 16,
+    VT_MINSIZE = 18,
+    VT_LOST_A_STEP = 20,
+    VT_MAXTHRUST = 22,
+    VT_ELEMENTSIZE = 24,
+    VT_PITCHRANGE = 26,
+    VT_YAWRANGE = 28,
+    VT_LIGHT_MODE = 30
+  };
+  /// The template, by its position in the section.
+  const ::flatbuffers::Vector<int32_t> *template_() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_TEMPLATE_);
+  }
+  const ::flatbuffers::Vector<int32_t> *material() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_MATERIAL);
+  }
+  /// Of the material; -1 where it is not at hand.
+  const ::flatbuffers::Vector<int32_t> *cels() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CELS);
+  }
+  /// Particles that are created: the count from 0 to 256.
+  const ::flatbuffers::Vector<int32_t> *spawned() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SPAWNED);
+  }
+  /// Life before the end or the fade; 0 is for ever.
+  const ::flatbuffers::Vector<int32_t> *timer_ms() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_TIMER_MS);
+  }
+  const ::flatbuffers::Vector<uint32_t> *flags() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_FLAGS);
+  }
+  const ::flatbuffers::Vector<float> *range() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_RANGE);
+  }
+  const ::flatbuffers::Vector<float> *minsize() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_MINSIZE);
+  }
+  /// Particles that each step of the fade removes.
+  const ::flatbuffers::Vector<int32_t> *lost_a_step() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_LOST_A_STEP);
+  }
+  /// Spawn radii a second.
+  const ::flatbuffers::Vector<float> *maxthrust() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_MAXTHRUST);
+  }
+  const ::flatbuffers::Vector<float> *elementsize() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_ELEMENTSIZE);
+  }
+  const ::flatbuffers::Vector<float> *pitchrange() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_PITCHRANGE);
+  }
+  const ::flatbuffers::Vector<float> *yawrange() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_YAWRANGE);
+  }
+  /// 0 fully bright, 2 lit.
+  const ::flatbuffers::Vector<int32_t> *light_mode() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_LIGHT_MODE);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_TEMPLATE_) &&
+           verifier.VerifyVector(template_()) &&
+           VerifyOffset(verifier, VT_MATERIAL) &&
+           verifier.VerifyVector(material()) &&
+           VerifyOffset(verifier, VT_CELS) &&
+           verifier.VerifyVector(cels()) &&
+           VerifyOffset(verifier, VT_SPAWNED) &&
+           verifier.VerifyVector(spawned()) &&
+           VerifyOffset(verifier, VT_TIMER_MS) &&
+           verifier.VerifyVector(timer_ms()) &&
+           VerifyOffset(verifier, VT_FLAGS) &&
+           verifier.VerifyVector(flags()) &&
+           VerifyOffset(verifier, VT_RANGE) &&
+           verifier.VerifyVector(range()) &&
+           VerifyOffset(verifier, VT_MINSIZE) &&
+           verifier.VerifyVector(minsize()) &&
+           VerifyOffset(verifier, VT_LOST_A_STEP) &&
+           verifier.VerifyVector(lost_a_step()) &&
+           VerifyOffset(verifier, VT_MAXTHRUST) &&
+           verifier.VerifyVector(maxthrust()) &&
+           VerifyOffset(verifier, VT_ELEMENTSIZE) &&
+           verifier.VerifyVector(elementsize()) &&
+           VerifyOffset(verifier, VT_PITCHRANGE) &&
+           verifier.VerifyVector(pitchrange()) &&
+           VerifyOffset(verifier, VT_YAWRANGE) &&
+           verifier.VerifyVector(yawrange()) &&
+           VerifyOffset(verifier, VT_LIGHT_MODE) &&
+           verifier.VerifyVector(light_mode()) &&
+           verifier.EndTable();
+  }
+};
+
+struct ParticlesBuilder {
+  typedef Particles Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_template_(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> template_) {
+    fbb_.AddOffset(Particles::VT_TEMPLATE_, template_);
+  }
+  void add_material(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> material) {
+    fbb_.AddOffset(Particles::VT_MATERIAL, material);
+  }
+  void add_cels(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> cels) {
+    fbb_.AddOffset(Particles::VT_CELS, cels);
+  }
+  void add_spawned(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> spawned) {
+    fbb_.AddOffset(Particles::VT_SPAWNED, spawned);
+  }
+  void add_timer_ms(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> timer_ms) {
+    fbb_.AddOffset(Particles::VT_TIMER_MS, timer_ms);
+  }
+  void add_flags(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> flags) {
+    fbb_.AddOffset(Particles::VT_FLAGS, flags);
+  }
+  void add_range(::flatbuffers::Offset<::flatbuffers::Vector<float>> range) {
+    fbb_.AddOffset(Particles::VT_RANGE, range);
+  }
+  void add_minsize(::flatbuffers::Offset<::flatbuffers::Vector<float>> minsize) {
+    fbb_.AddOffset(Particles::VT_MINSIZE, minsize);
+  }
+  void add_lost_a_step(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> lost_a_step) {
+    fbb_.AddOffset(Particles::VT_LOST_A_STEP, lost_a_step);
+  }
+  void add_maxthrust(::flatbuffers::Offset<::flatbuffers::Vector<float>> maxthrust) {
+    fbb_.AddOffset(Particles::VT_MAXTHRUST, maxthrust);
+  }
+  void add_elementsize(::flatbuffers::Offset<::flatbuffers::Vector<float>> elementsize) {
+    fbb_.AddOffset(Particles::VT_ELEMENTSIZE, elementsize);
+  }
+  void add_pitchrange(::flatbuffers::Offset<::flatbuffers::Vector<float>> pitchrange) {
+    fbb_.AddOffset(Particles::VT_PITCHRANGE, pitchrange);
+  }
+  void add_yawrange(::flatbuffers::Offset<::flatbuffers::Vector<float>> yawrange) {
+    fbb_.AddOffset(Particles::VT_YAWRANGE, yawrange);
+  }
+  void add_light_mode(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> light_mode) {
+    fbb_.AddOffset(Particles::VT_LIGHT_MODE, light_mode);
+  }
+  explicit ParticlesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Particles> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Particles>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Particles> CreateParticles(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> template_ = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> material = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> cels = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> spawned = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> timer_ms = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> flags = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> range = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> minsize = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> lost_a_step = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> maxthrust = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> elementsize = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> pitchrange = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> yawrange = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> light_mode = 0) {
+  ParticlesBuilder builder_(_fbb);
+  builder_.add_light_mode(light_mode);
+  builder_.add_yawrange(yawrange);
+  builder_.add_pitchrange(pitchrange);
+  builder_.add_elementsize(elementsize);
+  builder_.add_maxthrust(maxthrust);
+  builder_.add_lost_a_step(lost_a_step);
+  builder_.add_minsize(minsize);
+  builder_.add_range(range);
+  builder_.add_flags(flags);
+  builder_.add_timer_ms(timer_ms);
+  builder_.add_spawned(spawned);
+  builder_.add_cels(cels);
+  builder_.add_material(material);
+  builder_.add_template_(template_);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Particles> CreateParticlesDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<int32_t> *template_ = nullptr,
+    const std::vector<int32_t> *material = nullptr,
+    const std::vector<int32_t> *cels = nullptr,
+    const std::vector<int32_t> *spawned = nullptr,
+    const std::vector<int32_t> *timer_ms = nullptr,
+    const std::vector<uint32_t> *flags = nullptr,
+    const std::vector<float> *range = nullptr,
+    const std::vector<float> *minsize = nullptr,
+    const std::vector<int32_t> *lost_a_step = nullptr,
+    const std::vector<float> *maxthrust = nullptr,
+    const std::vector<float> *elementsize = nullptr,
+    const std::vector<float> *pitchrange = nullptr,
+    const std::vector<float> *yawrange = nullptr,
+    const std::vector<int32_t> *light_mode = nullptr) {
+  auto template___ = template_ ? _fbb.CreateVector<int32_t>(*template_) : 0;
+  auto material__ = material ? _fbb.CreateVector<int32_t>(*material) : 0;
+  auto cels__ = cels ? _fbb.CreateVector<int32_t>(*cels) : 0;
+  auto spawned__ = spawned ? _fbb.CreateVector<int32_t>(*spawned) : 0;
+  auto timer_ms__ = timer_ms ? _fbb.CreateVector<int32_t>(*timer_ms) : 0;
+  auto flags__ = flags ? _fbb.CreateVector<uint32_t>(*flags) : 0;
+  auto range__ = range ? _fbb.CreateVector<float>(*range) : 0;
+  auto minsize__ = minsize ? _fbb.CreateVector<float>(*minsize) : 0;
+  auto lost_a_step__ = lost_a_step ? _fbb.CreateVector<int32_t>(*lost_a_step) : 0;
+  auto maxthrust__ = maxthrust ? _fbb.CreateVector<float>(*maxthrust) : 0;
+  auto elementsize__ = elementsize ? _fbb.CreateVector<float>(*elementsize) : 0;
+  auto pitchrange__ = pitchrange ? _fbb.CreateVector<float>(*pitchrange) : 0;
+  auto yawrange__ = yawrange ? _fbb.CreateVector<float>(*yawrange) : 0;
+  auto light_mode__ = light_mode ? _fbb.CreateVector<int32_t>(*light_mode) : 0;
+  return jktools::CreateParticles(
+      _fbb,
+      template___,
+      material__,
+      cels__,
+      spawned__,
+      timer_ms__,
+      flags__,
+      range__,
+      minsize__,
+      lost_a_step__,
+      maxthrust__,
+      elementsize__,
+      pitchrange__,
+      yawrange__,
+      light_mode__);
+}
+
+/// Calls of NewColorEffect with known arguments, one row for each palette at hand.
+struct ColourEffects FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef ColourEffectsBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_COG = 4,
+    VT_SCRIPT = 6,
+    VT_LINE = 8,
+    VT_ARGUMENT = 10,
+    VT_COLORMAP = 12,
+    VT_PALETTE = 14
+  };
+  /// The placed COG, by its position in the section; -1 for a class COG.
+  const ::flatbuffers::Vector<int32_t> *cog() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_COG);
+  }
+  const ::flatbuffers::Vector<uint32_t> *script() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SCRIPT);
+  }
+  /// Line of the call in the script, from 1.
+  const ::flatbuffers::Vector<int32_t> *line() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_LINE);
+  }
+  /// Ten for each row, in the order of the call.
+  const ::flatbuffers::Vector<double> *argument() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_ARGUMENT);
+  }
+  /// -1: no colormap was at hand, the palette is the ramp of all levels of each channel.
+  const ::flatbuffers::Vector<int32_t> *colormap() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_COLORMAP);
+  }
+  /// Under the effect: 256 colours of red, green, blue.
+  const ::flatbuffers::Vector<uint8_t> *palette() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_PALETTE);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_COG) &&
+           verifier.VerifyVector(cog()) &&
+           VerifyOffset(verifier, VT_SCRIPT) &&
+           verifier.VerifyVector(script()) &&
+           VerifyOffset(verifier, VT_LINE) &&
+           verifier.VerifyVector(line()) &&
+           VerifyOffset(verifier, VT_ARGUMENT) &&
+           verifier.VerifyVector(argument()) &&
+           VerifyOffset(verifier, VT_COLORMAP) &&
+           verifier.VerifyVector(colormap()) &&
+           VerifyOffset(verifier, VT_PALETTE) &&
+           verifier.VerifyVector(palette()) &&
+           verifier.EndTable();
+  }
+};
+
+struct ColourEffectsBuilder {
+  typedef ColourEffects Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_cog(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> cog) {
+    fbb_.AddOffset(ColourEffects::VT_COG, cog);
+  }
+  void add_script(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> script) {
+    fbb_.AddOffset(ColourEffects::VT_SCRIPT, script);
+  }
+  void add_line(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> line) {
+    fbb_.AddOffset(ColourEffects::VT_LINE, line);
+  }
+  void add_argument(::flatbuffers::Offset<::flatbuffers::Vector<double>> argument) {
+    fbb_.AddOffset(ColourEffects::VT_ARGUMENT, argument);
+  }
+  void add_colormap(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> colormap) {
+    fbb_.AddOffset(ColourEffects::VT_COLORMAP, colormap);
+  }
+  void add_palette(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> palette) {
+    fbb_.AddOffset(ColourEffects::VT_PALETTE, palette);
+  }
+  explicit ColourEffectsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<ColourEffects> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<ColourEffects>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<ColourEffects> CreateColourEffects(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> cog = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> script = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> line = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> argument = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> colormap = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> palette = 0) {
+  ColourEffectsBuilder builder_(_fbb);
+  builder_.add_palette(palette);
+  builder_.add_colormap(colormap);
+  builder_.add_argument(argument);
+  builder_.add_line(line);
+  builder_.add_script(script);
+  builder_.add_cog(cog);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<ColourEffects> CreateColourEffectsDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<int32_t> *cog = nullptr,
+    const std::vector<uint32_t> *script = nullptr,
+    const std::vector<int32_t> *line = nullptr,
+    const std::vector<double> *argument = nullptr,
+    const std::vector<int32_t> *colormap = nullptr,
+    const std::vector<uint8_t> *palette = nullptr) {
+  auto cog__ = cog ? _fbb.CreateVector<int32_t>(*cog) : 0;
+  auto script__ = script ? _fbb.CreateVector<uint32_t>(*script) : 0;
+  auto line__ = line ? _fbb.CreateVector<int32_t>(*line) : 0;
+  auto argument__ = argument ? _fbb.CreateVector<double>(*argument) : 0;
+  auto colormap__ = colormap ? _fbb.CreateVector<int32_t>(*colormap) : 0;
+  auto palette__ = palette ? _fbb.CreateVector<uint8_t>(*palette) : 0;
+  return jktools::CreateColourEffects(
+      _fbb,
+      cog__,
+      script__,
+      line__,
+      argument__,
+      colormap__,
+      palette__);
+}
+
+/// Templates of actors and players that the level can reach: how they move on flat ground, in the level's gravity. JKU and
+/// seconds; NaN is not known or no way of theirs to move, infinite has no bound.
+struct Motion FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef MotionBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_TEMPLATE_ = 4,
+    VT_WALK = 6,
+    VT_BACK = 8,
+    VT_STRAFE = 10,
+    VT_RUN = 12,
+    VT_CROUCH = 14,
+    VT_AIR = 16,
+    VT_SWIM = 18,
+    VT_STOP_WALK = 20,
+    VT_STOP_RUN = 22,
+    VT_JUMP_HEIGHT = 24,
+    VT_CROUCHED_JUMP_HEIGHT = 26,
+    VT_JUMP_REACH = 28,
+    VT_RUN_JUMP_REACH = 30
+  };
+  /// The template, by its position in the section.
+  const ::flatbuffers::Vector<int32_t> *template_() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_TEMPLATE_);
+  }
+  const ::flatbuffers::Vector<double> *walk() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_WALK);
+  }
+  const ::flatbuffers::Vector<double> *back() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_BACK);
+  }
+  const ::flatbuffers::Vector<double> *strafe() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_STRAFE);
+  }
+  const ::flatbuffers::Vector<double> *run() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_RUN);
+  }
+  const ::flatbuffers::Vector<double> *crouch() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_CROUCH);
+  }
+  const ::flatbuffers::Vector<double> *air() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_AIR);
+  }
+  const ::flatbuffers::Vector<double> *swim() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_SWIM);
+  }
+  /// Way from a walk or run to rest: the least and the greatest over the frame rates tried (one but at `exact`).
+  const ::flatbuffers::Vector<double> *stop_walk() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_STOP_WALK);
+  }
+  const ::flatbuffers::Vector<double> *stop_run() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_STOP_RUN);
+  }
+  const ::flatbuffers::Vector<double> *jump_height() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_JUMP_HEIGHT);
+  }
+  const ::flatbuffers::Vector<double> *crouched_jump_height() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_CROUCHED_JUMP_HEIGHT);
+  }
+  /// Over level ground, from a walk and from a run.
+  const ::flatbuffers::Vector<double> *jump_reach() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_JUMP_REACH);
+  }
+  const ::flatbuffers::Vector<double> *run_jump_reach() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_RUN_JUMP_REACH);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_TEMPLATE_) &&
+           verifier.VerifyVector(template_()) &&
+           VerifyOffset(verifier, VT_WALK) &&
+           verifier.VerifyVector(walk()) &&
+           VerifyOffset(verifier, VT_BACK) &&
+           verifier.VerifyVector(back()) &&
+           VerifyOffset(verifier, VT_STRAFE) &&
+           verifier.VerifyVector(strafe()) &&
+           VerifyOffset(verifier, VT_RUN) &&
+           verifier.VerifyVector(run()) &&
+           VerifyOffset(verifier, VT_CROUCH) &&
+           verifier.VerifyVector(crouch()) &&
+           VerifyOffset(verifier, VT_AIR) &&
+           verifier.VerifyVector(air()) &&
+           VerifyOffset(verifier, VT_SWIM) &&
+           verifier.VerifyVector(swim()) &&
+           VerifyOffset(verifier, VT_STOP_WALK) &&
+           verifier.VerifyVector(stop_walk()) &&
+           VerifyOffset(verifier, VT_STOP_RUN) &&
+           verifier.VerifyVector(stop_run()) &&
+           VerifyOffset(verifier, VT_JUMP_HEIGHT) &&
+           verifier.VerifyVector(jump_height()) &&
+           VerifyOffset(verifier, VT_CROUCHED_JUMP_HEIGHT) &&
+           verifier.VerifyVector(crouched_jump_height()) &&
+           VerifyOffset(verifier, VT_JUMP_REACH) &&
+           verifier.VerifyVector(jump_reach()) &&
+           VerifyOffset(verifier, VT_RUN_JUMP_REACH) &&
+           verifier.VerifyVector(run_jump_reach()) &&
+           verifier.EndTable();
+  }
+};
+
+struct MotionBuilder {
+  typedef Motion Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_template_(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> template_) {
+    fbb_.AddOffset(Motion::VT_TEMPLATE_, template_);
+  }
+  void add_walk(::flatbuffers::Offset<::flatbuffers::Vector<double>> walk) {
+    fbb_.AddOffset(Motion::VT_WALK, walk);
+  }
+  void add_back(::flatbuffers::Offset<::flatbuffers::Vector<double>> back) {
+    fbb_.AddOffset(Motion::VT_BACK, back);
+  }
+  void add_strafe(::flatbuffers::Offset<::flatbuffers::Vector<double>> strafe) {
+    fbb_.AddOffset(Motion::VT_STRAFE, strafe);
+  }
+  void add_run(::flatbuffers::Offset<::flatbuffers::Vector<double>> run) {
+    fbb_.AddOffset(Motion::VT_RUN, run);
+  }
+  void add_crouch(::flatbuffers::Offset<::flatbuffers::Vector<double>> crouch) {
+    fbb_.AddOffset(Motion::VT_CROUCH, crouch);
+  }
+  void add_air(::flatbuffers::Offset<::flatbuffers::Vector<double>> air) {
+    fbb_.AddOffset(Motion::VT_AIR, air);
+  }
+  void add_swim(::flatbuffers::Offset<::flatbuffers::Vector<double>> swim) {
+    fbb_.AddOffset(Motion::VT_SWIM, swim);
+  }
+  void add_stop_walk(::flatbuffers::Offset<::flatbuffers::Vector<double>> stop_walk) {
+    fbb_.AddOffset(Motion::VT_STOP_WALK, stop_walk);
+  }
+  void add_stop_run(::flatbuffers::Offset<::flatbuffers::Vector<double>> stop_run) {
+    fbb_.AddOffset(Motion::VT_STOP_RUN, stop_run);
+  }
+  void add_jump_height(::flatbuffers::Offset<::flatbuffers::Vector<double>> jump_height) {
+    fbb_.AddOffset(Motion::VT_JUMP_HEIGHT, jump_height);
+  }
+  void add_crouched_jump_height(::flatbuffers::Offset<::flatbuffers::Vector<double>> crouched_jump_height) {
+    fbb_.AddOffset(Motion::VT_CROUCHED_JUMP_HEIGHT, crouched_jump_height);
+  }
+  void add_jump_reach(::flatbuffers::Offset<::flatbuffers::Vector<double>> jump_reach) {
+    fbb_.AddOffset(Motion::VT_JUMP_REACH, jump_reach);
+  }
+  void add_run_jump_reach(::flatbuffers::Offset<::flatbuffers::Vector<double>> run_jump_reach) {
+    fbb_.AddOffset(Motion::VT_RUN_JUMP_REACH, run_jump_reach);
+  }
+  explicit MotionBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Motion> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Motion>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Motion> CreateMotion(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> template_ = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> walk = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> back = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> strafe = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> run = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> crouch = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> air = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> swim = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> stop_walk = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> stop_run = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> jump_height = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> crouched_jump_height = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> jump_reach = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> run_jump_reach = 0) {
+  MotionBuilder builder_(_fbb);
+  builder_.add_run_jump_reach(run_jump_reach);
+  builder_.add_jump_reach(jump_reach);
+  builder_.add_crouched_jump_height(crouched_jump_height);
+  builder_.add_jump_height(jump_height);
+  builder_.add_stop_run(stop_run);
+  builder_.add_stop_walk(stop_walk);
+  builder_.add_swim(swim);
+  builder_.add_air(air);
+  builder_.add_crouch(crouch);
+  builder_.add_run(run);
+  builder_.add_strafe(strafe);
+  builder_.add_back(back);
+  builder_.add_walk(walk);
+  builder_.add_template_(template_);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Motion> CreateMotionDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<int32_t> *template_ = nullptr,
+    const std::vector<double> *walk = nullptr,
+    const std::vector<double> *back = nullptr,
+    const std::vector<double> *strafe = nullptr,
+    const std::vector<double> *run = nullptr,
+    const std::vector<double> *crouch = nullptr,
+    const std::vector<double> *air = nullptr,
+    const std::vector<double> *swim = nullptr,
+    const std::vector<double> *stop_walk = nullptr,
+    const std::vector<double> *stop_run = nullptr,
+    const std::vector<double> *jump_height = nullptr,
+    const std::vector<double> *crouched_jump_height = nullptr,
+    const std::vector<double> *jump_reach = nullptr,
+    const std::vector<double> *run_jump_reach = nullptr) {
+  auto template___ = template_ ? _fbb.CreateVector<int32_t>(*template_) : 0;
+  auto walk__ = walk ? _fbb.CreateVector<double>(*walk) : 0;
+  auto back__ = back ? _fbb.CreateVector<double>(*back) : 0;
+  auto strafe__ = strafe ? _fbb.CreateVector<double>(*strafe) : 0;
+  auto run__ = run ? _fbb.CreateVector<double>(*run) : 0;
+  auto crouch__ = crouch ? _fbb.CreateVector<double>(*crouch) : 0;
+  auto air__ = air ? _fbb.CreateVector<double>(*air) : 0;
+  auto swim__ = swim ? _fbb.CreateVector<double>(*swim) : 0;
+  auto stop_walk__ = stop_walk ? _fbb.CreateVector<double>(*stop_walk) : 0;
+  auto stop_run__ = stop_run ? _fbb.CreateVector<double>(*stop_run) : 0;
+  auto jump_height__ = jump_height ? _fbb.CreateVector<double>(*jump_height) : 0;
+  auto crouched_jump_height__ = crouched_jump_height ? _fbb.CreateVector<double>(*crouched_jump_height) : 0;
+  auto jump_reach__ = jump_reach ? _fbb.CreateVector<double>(*jump_reach) : 0;
+  auto run_jump_reach__ = run_jump_reach ? _fbb.CreateVector<double>(*run_jump_reach) : 0;
+  return jktools::CreateMotion(
+      _fbb,
+      template___,
+      walk__,
+      back__,
+      strafe__,
+      run__,
+      crouch__,
+      air__,
+      swim__,
+      stop_walk__,
+      stop_run__,
+      jump_height__,
+      crouched_jump_height__,
+      jump_reach__,
+      run_jump_reach__);
+}
+
 struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef LevelBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
@@ -1951,7 +2945,12 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_THINGS = 28,
     VT_COGS = 30,
     VT_OMISSIONS = 32,
-    VT_VISIBILITY = 34
+    VT_VISIBILITY = 34,
+    VT_HOTSPOTS = 36,
+    VT_LIGHTS = 38,
+    VT_PARTICLES = 40,
+    VT_COLOUR_EFFECTS = 42,
+    VT_MOTION = 44
   };
   /// Readers refuse a file whose major version they do not know.
   uint16_t format_major() const {
@@ -2004,6 +3003,21 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Visibility *visibility() const {
     return GetPointer<const jktools::Visibility *>(VT_VISIBILITY);
   }
+  const jktools::Hotspots *hotspots() const {
+    return GetPointer<const jktools::Hotspots *>(VT_HOTSPOTS);
+  }
+  const jktools::Lights *lights() const {
+    return GetPointer<const jktools::Lights *>(VT_LIGHTS);
+  }
+  const jktools::Particles *particles() const {
+    return GetPointer<const jktools::Particles *>(VT_PARTICLES);
+  }
+  const jktools::ColourEffects *colour_effects() const {
+    return GetPointer<const jktools::ColourEffects *>(VT_COLOUR_EFFECTS);
+  }
+  const jktools::Motion *motion() const {
+    return GetPointer<const jktools::Motion *>(VT_MOTION);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -2041,6 +3055,16 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVectorOfTables(omissions()) &&
            VerifyOffset(verifier, VT_VISIBILITY) &&
            verifier.VerifyTable(visibility()) &&
+           VerifyOffset(verifier, VT_HOTSPOTS) &&
+           verifier.VerifyTable(hotspots()) &&
+           VerifyOffset(verifier, VT_LIGHTS) &&
+           verifier.VerifyTable(lights()) &&
+           VerifyOffset(verifier, VT_PARTICLES) &&
+           verifier.VerifyTable(particles()) &&
+           VerifyOffset(verifier, VT_COLOUR_EFFECTS) &&
+           verifier.VerifyTable(colour_effects()) &&
+           VerifyOffset(verifier, VT_MOTION) &&
+           verifier.VerifyTable(motion()) &&
            verifier.EndTable();
   }
 };
@@ -2097,6 +3121,21 @@ struct LevelBuilder {
   void add_visibility(::flatbuffers::Offset<jktools::Visibility> visibility) {
     fbb_.AddOffset(Level::VT_VISIBILITY, visibility);
   }
+  void add_hotspots(::flatbuffers::Offset<jktools::Hotspots> hotspots) {
+    fbb_.AddOffset(Level::VT_HOTSPOTS, hotspots);
+  }
+  void add_lights(::flatbuffers::Offset<jktools::Lights> lights) {
+    fbb_.AddOffset(Level::VT_LIGHTS, lights);
+  }
+  void add_particles(::flatbuffers::Offset<jktools::Particles> particles) {
+    fbb_.AddOffset(Level::VT_PARTICLES, particles);
+  }
+  void add_colour_effects(::flatbuffers::Offset<jktools::ColourEffects> colour_effects) {
+    fbb_.AddOffset(Level::VT_COLOUR_EFFECTS, colour_effects);
+  }
+  void add_motion(::flatbuffers::Offset<jktools::Motion> motion) {
+    fbb_.AddOffset(Level::VT_MOTION, motion);
+  }
   explicit LevelBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -2131,8 +3170,18 @@ inline ::flatbuffers::Offset<Level> CreateLevel(
     ::flatbuffers::Offset<jktools::Things> things = 0,
     ::flatbuffers::Offset<jktools::Cogs> cogs = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>>> omissions = 0,
-    ::flatbuffers::Offset<jktools::Visibility> visibility = 0) {
+    ::flatbuffers::Offset<jktools::Visibility> visibility = 0,
+    ::flatbuffers::Offset<jktools::Hotspots> hotspots = 0,
+    ::flatbuffers::Offset<jktools::Lights> lights = 0,
+    ::flatbuffers::Offset<jktools::Particles> particles = 0,
+    ::flatbuffers::Offset<jktools::ColourEffects> colour_effects = 0,
+    ::flatbuffers::Offset<jktools::Motion> motion = 0) {
   LevelBuilder builder_(_fbb);
+  builder_.add_motion(motion);
+  builder_.add_colour_effects(colour_effects);
+  builder_.add_particles(particles);
+  builder_.add_lights(lights);
+  builder_.add_hotspots(hotspots);
   builder_.add_visibility(visibility);
   builder_.add_omissions(omissions);
   builder_.add_cogs(cogs);
@@ -2169,7 +3218,12 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
     ::flatbuffers::Offset<jktools::Things> things = 0,
     ::flatbuffers::Offset<jktools::Cogs> cogs = 0,
     const std::vector<::flatbuffers::Offset<jktools::Omission>> *omissions = nullptr,
-    ::flatbuffers::Offset<jktools::Visibility> visibility = 0) {
+    ::flatbuffers::Offset<jktools::Visibility> visibility = 0,
+    ::flatbuffers::Offset<jktools::Hotspots> hotspots = 0,
+    ::flatbuffers::Offset<jktools::Lights> lights = 0,
+    ::flatbuffers::Offset<jktools::Particles> particles = 0,
+    ::flatbuffers::Offset<jktools::ColourEffects> colour_effects = 0,
+    ::flatbuffers::Offset<jktools::Motion> motion = 0) {
   auto tool_version__ = tool_version ? _fbb.CreateString(tool_version) : 0;
   auto checksum__ = checksum ? _fbb.CreateVector<uint8_t>(*checksum) : 0;
   auto inputs__ = inputs ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Input>>(*inputs) : 0;
@@ -2193,7 +3247,12 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
       things,
       cogs,
       omissions__,
-      visibility);
+      visibility,
+      hotspots,
+      lights,
+      particles,
+      colour_effects,
+      motion);
 }
 
 inline const jktools::Level *GetLevel(const void *buf) {

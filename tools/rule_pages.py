@@ -24,11 +24,13 @@ ROOT = Path(__file__).resolve().parent.parent
 CORPUS = ROOT.parent / "shared" / "corpus"
 COUNTS = "docs/rules/corpus.toml"
 PRECISION = "docs/precision.toml"
+UNCOUNTED = frozenset({"JK830", "JK831", "JK832"})
+"""Rules that are off and take the whole visibility of each level: half a minute over the corpus."""
 
 
 def count_corpus(into: Path) -> Path:
     """Count every rule's findings over the corpus, those that are off included."""
-    batch = check([str(CORPUS)], Settings(select=tuple(r.code.id for r in rules())))
+    batch = check([str(CORPUS)], Settings(select=tuple(r.code.id for r in rules() if r.code.id not in UNCOUNTED)))
     levels = len(discover(str(CORPUS)))
     scripts = len(discover(str(CORPUS), extensions=(SCRIPT_EXTENSION,)))
     assets = len(discover(str(CORPUS), extensions=ASSET_EXTENSIONS))
@@ -43,9 +45,8 @@ def count_corpus(into: Path) -> Path:
         f"scripts = {scripts}",
         f"assets = {assets}",
     ]
-    for rule in rules():
-        code = rule.code.id
-        lines.append(f"{code} = {{ findings = {findings[code]}, files = {len(files[code])} }}")
+    counted = (rule.code.id for rule in rules() if rule.code.id not in UNCOUNTED)
+    lines += [f"{code} = {{ findings = {findings[code]}, files = {len(files[code])} }}" for code in counted]
     target = into / COUNTS
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text("\n".join(lines) + "\n")

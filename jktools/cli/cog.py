@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import click
 
-from jktools.cli.app import problem
+from jktools.cli.app import base_option, problem
 from jktools.cli.configured import configured
 from jktools.cli.status import Status
 from jktools.emit import cog as report
-from jktools.facts import ScriptFacts
+from jktools.facts import LevelFacts, ScriptFacts
 from jktools.facts.cog.summary import summarise
+from jktools.facts.hotspots import summarise_costs
 from jktools.model.cog.program import Vocabulary
-from jktools.session import discover, game_of
+from jktools.session import discover, game_of, load
 from jktools.session.levels import SCRIPT_EXTENSION
 from jktools.session.settings import Game
 from jktools.source import InputError
@@ -23,12 +24,22 @@ from jktools.syntax.cog import read_script
 @click.option("--json", "as_json", is_flag=True, help="The same as JSON; its shape is docs/cog.schema.json.")
 @click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
 @click.option("--config", metavar="FILE", default=None, help="The configuration to use, or none for none.")
-def command(paths: tuple[str, ...], as_json: bool, game: Game | None, config: str | None) -> int:
+@click.option("--level", metavar="LEVEL", default=None, help="Tell what tests of sight cost in this level.")
+@base_option
+def command(
+    paths: tuple[str, ...], as_json: bool, game: Game | None, config: str | None, level: str | None,
+    base: tuple[str, ...],
+) -> int:  # fmt: skip
     """Show what COG scripts hold: symbols, messages and how often they come, calls, verbs.
 
     PATH is a script, a folder, a GOB, GOO or zip, or what lies in one: pack.gob!cog/x.cog. What is wrong with a script
-    is `jktools lint`'s to say; here only whether the engine refuses it, and where.
+    is `jktools lint`'s to say; here only whether the engine refuses it, and where. --level adds, for scripts that run
+    in that level, how often each test of sight is made there and what it costs: sectors entered and surfaces tested.
     """
+    costs = None
+    if level is not None:
+        loaded = load(level, base, game)
+        costs = summarise_costs(loaded.path, LevelFacts(loaded).hotspots)
     told: list[report.Told] = []
     problems: list[str] = []
     for group, found in configured(paths, config):
@@ -47,7 +58,7 @@ def command(paths: tuple[str, ...], as_json: bool, game: Game | None, config: st
                 facts = ScriptFacts(script, Vocabulary(script.game, found.settings.verbs))
                 told.append((summarise(facts), script.faults))
     if told:
-        click.echo(report.as_json(told) if as_json else report.as_text(told), nl=False)
+        click.echo(report.as_json(told, costs) if as_json else report.as_text(told, costs), nl=False)
     for message in problems:
         problem(message)
     return Status.USAGE if problems else Status.CLEAN

@@ -32,6 +32,11 @@ class Column:
     """Minor version of the format that brought it; older files lack it."""
 
 
+def camel_case(name: str) -> str:
+    """A section or field as the generated code spells it: `ColourEffects`."""
+    return "".join(part.capitalize() for part in name.split("_"))
+
+
 def _rows(leader: str, columns: Mapping[str, Column]) -> dict[str, Column]:
     """Columns that all have as many rows as `leader`; `*_start` columns have one more."""
     return {name: replace(c, rows_of=None if name == leader else leader) for name, c in columns.items()}
@@ -160,6 +165,88 @@ VISIBILITY: Mapping[str, Column] = MappingProxyType(
     }
 )
 
+HOTSPOTS: Mapping[str, Column] = MappingProxyType(
+    _rows(
+        "cog",
+        {
+            "cog": Column("i4"),
+            "script": _TEXT,
+            "verb": _TEXT,
+            "line": Column("i4"),
+            "things": Column("i4"),
+            "more": Column("u1"),
+            "calls_per_second": Column("f8"),
+            "mean_sectors": Column("f8"),
+            "mean_surfaces": Column("f8"),
+            "most_sectors": Column("i4"),
+            "most_surfaces": Column("i4"),
+            "pairs": Column("i4"),
+            "verdict": Column("i4"),
+        },
+    )
+)
+
+LIGHTS: Mapping[str, Column] = MappingProxyType(
+    {
+        **_rows(
+            "thing",
+            {
+                "thing": Column("i4"),
+                "position": Column("f4", 3),
+                "intensity": Column("f4"),
+                "reach": Column("f4"),
+                "vertex_start": Column("u4", cuts="vertex"),
+            },
+        ),
+        "vertex": Column("i4", index_of="geometry.vertices"),
+        "amount": Column("f4", rows_of="vertex"),
+    }
+)
+
+PARTICLES: Mapping[str, Column] = MappingProxyType(
+    _rows(
+        "template",
+        {
+            "template": Column("i4"),
+            "material": Column("i4", index_of=STRINGS, or_none=True),
+            "cels": Column("i4"),
+            "spawned": Column("i4"),
+            "timer_ms": Column("i4"),
+            "flags": Column("u4"),
+            **dict.fromkeys(("range", "minsize"), Column("f4")),
+            "lost_a_step": Column("i4"),
+            **dict.fromkeys(("maxthrust", "elementsize", "pitchrange", "yawrange"), Column("f4")),
+            "light_mode": Column("i4"),
+        },
+    )
+)
+
+COLOUR_EFFECTS: Mapping[str, Column] = MappingProxyType(
+    _rows(
+        "cog",
+        {
+            "cog": Column("i4"),
+            "script": _TEXT,
+            "line": Column("i4"),
+            "argument": Column("f8", 10),
+            "colormap": Column("i4", index_of="resources.colormaps", or_none=True),
+            "palette": Column("u1", 768),
+        },
+    )
+)
+
+MOTION: Mapping[str, Column] = MappingProxyType(
+    _rows(
+        "template",
+        {
+            "template": Column("i4"),
+            **dict.fromkeys(("walk", "back", "strafe", "run", "crouch", "air", "swim"), Column("f8")),
+            **dict.fromkeys(("stop_walk", "stop_run"), Column("f8", 2)),
+            **dict.fromkeys(("jump_height", "crouched_jump_height", "jump_reach", "run_jump_reach"), Column("f8")),
+        },
+    )
+)
+
 _LISTS = (
     "sounds", "materials", "colormaps", "aiclasses", "models", "sprites", "keyframes", "animclasses", "soundclasses",
     "cogscripts",
@@ -175,6 +262,11 @@ SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
         "things": THINGS,
         "cogs": COGS,
         "visibility": VISIBILITY,
+        "hotspots": HOTSPOTS,
+        "lights": LIGHTS,
+        "particles": PARTICLES,
+        "colour_effects": COLOUR_EFFECTS,
+        "motion": MOTION,
     }
 )
 """The sections of the file in its order, with their columns."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from jktools.compiler import sections
+from jktools.compiler import scene, sections
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import PassError
 from jktools.compiler.sections import Columns, Cut, NotNeeded, Strings
@@ -39,6 +39,11 @@ PASSES: Mapping[str, Pass] = {
         Pass("things", sections.things, ("geometry",)),
         Pass("cogs", sections.cogs),
         Pass("visibility", sections.visibility, ("geometry",)),
+        Pass("hotspots", scene.hotspots, ("cogs",)),
+        Pass("lights", scene.lights, ("geometry", "things")),
+        Pass("particles", scene.particles, ("templates",)),
+        Pass("colour_effects", scene.colour_effects, ("resources",)),
+        Pass("motion", scene.motion, ("templates",)),
     )
 }
 """In the order of the file; a pass comes after those that it needs."""

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from jktools._native_file import verify_level  # noqa: TID251 (this package is the door)
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import is_intact
-from jktools.compiler.columns import SECTIONS, Column
+from jktools.compiler.columns import SECTIONS, Column, camel_case
 from jktools.compiler.errors import CompiledFileError
 from jktools.compiler.ranges import first_fault
 from jktools.geometry import expanded, unpacked
@@ -60,6 +60,11 @@ class CompiledLevel:
     things: Section | None
     cogs: Section | None
     visibility: Section | None
+    hotspots: Section | None
+    lights: Section | None
+    particles: Section | None
+    colour_effects: Section | None
+    motion: Section | None
 
     def __init__(self, data: bytes | memoryview, path: str = "<bytes>", *, verify: bool = False) -> None:
         """Check and view a buffer. Raises CompiledFileError; `verify` compares the checksum too."""
@@ -97,7 +102,7 @@ class CompiledLevel:
         raise AttributeError(name)
 
     def _table(self, section: str) -> Any:
-        return getattr(self._root, section.capitalize())()
+        return getattr(self._root, camel_case(section))()
 
     def _columns(self, section: str) -> dict[str, npt.NDArray[Any]]:
         table = self._table(section)
@@ -176,6 +181,11 @@ class CompiledLevel:
             "templates": ("templates", "source"),
             "things": ("things", "source"),
             "cogs": ("cogs", "source"),
+            "hotspots": ("hotspots", "cog"),
+            "lights": ("lights", "thing"),
+            "particles": ("particles", "template"),
+            "colour_effects": ("colour_effects", "cog"),
+            "motions": ("motion", "template"),
         }
         return {
             kind: len(self.sections[section].columns[column]) if section in self.sections else 0
@@ -207,8 +217,7 @@ class CompiledLevel:
 
 
 def _view(table: Any, name: str, column: Column) -> npt.NDArray[Any]:
-    camel = "".join(part.capitalize() for part in name.split("_"))
-    values = getattr(table, f"{camel}AsNumpy")()
+    values = getattr(table, f"{camel_case(name)}AsNumpy")()
     if isinstance(values, int):  # the generated code answers 0 for a vector that is absent
         values = np.zeros(0, f"<{column.type}")
     values.flags.writeable = False

@@ -13,7 +13,7 @@ import numpy as np
 from jktools import __version__
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import seal
-from jktools.compiler.columns import SECTIONS
+from jktools.compiler.columns import SECTIONS, camel_case
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
 from jktools.compiler.passes import Outcome, Progress, run
@@ -114,7 +114,7 @@ def _section(builder: flatbuffers.Builder, name: str, columns: Columns) -> int:
     for key, column in SECTIONS[name].items():
         values = np.ascontiguousarray(columns[key], f"<{column.type}").reshape(-1)
         offsets[key] = _vector(builder, values)
-    return _table(builder, name.capitalize(), **offsets)
+    return _table(builder, camel_case(name), **offsets)
 
 
 def _vector(builder: flatbuffers.Builder, values: np.ndarray[Any, Any]) -> int:
@@ -127,8 +127,7 @@ def _table(builder: flatbuffers.Builder, kind: str, /, **fields: int | float) ->
     """A table of the schema from its fields, by their names in the schema."""
     getattr(fb, f"{kind}Start")(builder)
     for field, value in fields.items():
-        camel = "".join(part.capitalize() for part in field.split("_"))
-        getattr(fb, f"{kind}Add{camel}")(builder, value)
+        getattr(fb, f"{kind}Add{camel_case(field)}")(builder, value)
     return int(getattr(fb, f"{kind}End")(builder))
 
 

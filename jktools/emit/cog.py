@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 
 import msgspec
 
@@ -19,6 +20,10 @@ from jktools.facts.cog.summary import (
     SymbolSummary,
     VerbSummary,
 )
+from jktools.facts.hotspots import CostSummary
+
+Costs = Mapping[str, Sequence[CostSummary]]
+"""What tests of sight cost in a level, by the lower-case name of the script."""
 
 VERSION = 1
 """Of the shape of this output; grows when a reader would have to change."""
@@ -27,23 +32,54 @@ Told = tuple[ScriptSummary, Sequence[Diagnostic]]
 """A script, and why the engine refuses it."""
 
 
-def as_json(scripts: Sequence[Told]) -> str:
-    """The report as JSON; its shape is docs/cog.schema.json."""
+def as_json(scripts: Sequence[Told], costs: Costs | None = None) -> str:
+    """The report as JSON; its shape is docs/cog.schema.json. Scripts have `costs` where a level was asked for."""
     return dump(
         {
             "version": VERSION,
             "tool": {"name": "jktools", "version": __version__},
             "scripts": [
-                {**msgspec.to_builtins(summary), "faults": [diagnostic_object(d) for d in faults]}
+                {
+                    **msgspec.to_builtins(summary),
+                    "faults": [diagnostic_object(d) for d in faults],
+                    **({} if costs is None else {"costs": msgspec.to_builtins(_of(summary, costs))}),
+                }
                 for summary, faults in scripts
             ],
         }
     )
 
 
-def as_text(scripts: Sequence[Told]) -> str:
-    """The report for people."""
-    return "\n".join(printable(line) for told in scripts for line in _lines(*told)) + "\n"
+def as_text(scripts: Sequence[Told], costs: Costs | None = None) -> str:
+    """The report for people; with what tests of sight cost where a level was asked for."""
+    lines: list[str] = []
+    for summary, faults in scripts:
+        lines += _lines(summary, faults)
+        if costs is not None:
+            lines += _cost_lines(_of(summary, costs))
+    return "\n".join(map(printable, lines)) + "\n"
+
+
+def _of(script: ScriptSummary, costs: Costs) -> Sequence[CostSummary]:
+    return costs.get(re.split(r"[/\\!]", script.path)[-1].lower(), ())
+
+
+def _cost_lines(costs: Sequence[CostSummary]) -> Iterator[str]:
+    yield f"  costs of sight ({len(costs)}):"
+    for cost in costs:
+        calls = "any number of times" if cost.calls_per_second is None else f"{cost.calls_per_second:.6g} times"
+        yield f"    {cost.verb}, line {cost.line}, {cost.runner}: {calls} a second, {_work(cost)}"
+        yield f"      {cost.help}"
+
+
+def _work(cost: CostSummary) -> str:
+    if not cost.pairs:
+        return "its cost is not known"
+    known = "" if cost.verdict == "varies" else f"; {'always' if cost.verdict == 'always' else 'never'} succeeds"
+    return (
+        f"{cost.mean_surfaces:.6g} surfaces in {cost.mean_sectors:.6g} sectors on the mean, {cost.most_surfaces} in "
+        f"{cost.most_sectors} at most{known}"
+    )
 
 
 def _lines(script: ScriptSummary, faults: Sequence[Diagnostic]) -> Iterator[str]:

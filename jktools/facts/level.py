@@ -6,7 +6,9 @@ from functools import cached_property
 
 from jktools import geometry
 from jktools.engine.profile import Engine
+from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_sight, runners, with_created
 from jktools.facts.movers import Mover, movers
 from jktools.facts.occluders import Occluders
 from jktools.facts.openings import named_by_cogs
@@ -46,6 +48,7 @@ class LevelFacts:
         """Know nothing yet; `vocabulary` has the verbs of the user's own build, for the level's scripts."""
         self.level = level
         self.vocabulary = vocabulary or Vocabulary(level.game)
+        self._scripts: dict[str, ScriptFacts | None] = {}
         self._cels: dict[int, int | None] = {}
         self._sight_faces: dict[Engine, SightFaces] = {}
 
@@ -90,7 +93,7 @@ class LevelFacts:
     @cached_property
     def reach(self) -> Reach:
         """The templates and files that the level can reach in play."""
-        return reach(self.level, lambda name: self.scripts.get(name) or self._script(name))
+        return reach(self.level, self.script)
 
     @cached_property
     def carriers(self) -> Carriers:
@@ -172,7 +175,14 @@ class LevelFacts:
     @cached_property
     def scripts(self) -> dict[str, ScriptFacts | None]:
         """The scripts that the level places, by lower-case name; None for one that cannot be found."""
-        return {name: self._script(name) for name in dict.fromkeys(cog.name.lower() for cog in self.level.cogs)}
+        return {name: self.script(name) for name in dict.fromkeys(cog.name.lower() for cog in self.level.cogs)}
+
+    def script(self, name: str) -> ScriptFacts | None:
+        """A script by its name, read once; None for one that cannot be found."""
+        key = name.lower()
+        if key not in self._scripts:
+            self._scripts[key] = self._script(key)
+        return self._scripts[key]
 
     def _script(self, name: str) -> ScriptFacts | None:
         found = self.level.resources.find(Kind.COG, name)
@@ -198,6 +208,25 @@ class LevelFacts:
             found.append(InstanceFacts(cog, script, -1 if refused else number))
             number += not refused
         return tuple(found)
+
+    @cached_property
+    def runners(self) -> list[Runner]:
+        """The scripts that run: the placed ones, and class COGs with the things that carry them."""
+        return runners(self.level, self.instances, self.script)
+
+    @cached_property
+    def changeable_surfaces(self) -> frozenset[int]:
+        """Surfaces that a script can open to sight and movement, or shut."""
+        others = [runner.analysis for runner in self.runners if runner.cog is None]
+        return changeable_surfaces(self.level, self.instances, others)
+
+    @cached_property
+    def hotspots(self) -> list[Hotspot]:
+        """The calls of verbs of sight, the dearest first."""
+        if not any(asks_for_sight(runner) for runner in self.runners):
+            return []
+        scripts = with_created(self.level, self.runners, self.reach)
+        return Scene(self.level, scripts, SightWork(self.level, self.mesh, self.changeable_surfaces)).hotspots()
 
     def cel_count(self, material: int) -> int | None:
         """How many cels a material of the level's list has; None where its file is not at hand or is broken."""

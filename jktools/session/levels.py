@@ -111,10 +111,9 @@ def build(
 ) -> bytes:
     """Compile a level, as `jktools build` does, and give the bytes of the file.
 
-    What a file of this version holds is the same at every accuracy, so that only those that it keeps are taken:
-    `balanced` and `exact`. `cut_anyway` leaves out templates that nothing is known to reach, though COGs are missing
-    that might tell otherwise. Raises CompileError for a level that the engine would refuse, ValueError for another
-    accuracy.
+    `accuracy` is that of visibility; all else that the file holds is the same at either. `cut_anyway` leaves out
+    templates that nothing is known to reach, though COGs are missing that might tell otherwise. Raises CompileError
+    for a level that the engine would refuse, ValueError for another accuracy.
     """
     if accuracy not in ACCURACIES:
         raise ValueError(f"accuracy is {accuracy!r}, but can be {' or '.join(ACCURACIES)}")

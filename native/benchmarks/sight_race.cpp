@@ -42,9 +42,22 @@ std::vector<T> read(std::ifstream& in) {
     return values;
 }
 
+struct Set {
+    explicit Set(std::ifstream& in)
+        : origins(read<double>(in)), sectors(read<jk::Index>(in)), targets(read<double>(in)), aims(read<jk::Index>(in)) {}
+
+    jk::Queries view() const { return {origins, sectors, targets, aims}; }
+
+    std::vector<double> origins;
+    std::vector<jk::Index> sectors;
+    std::vector<double> targets;
+    std::vector<jk::Index> aims;
+};
+
 jk::Queries piece_of(const jk::Queries& q, std::size_t first) {
     const std::size_t count = std::min(kPiece, q.rows() - first);
-    return {q.origins.subspan(3 * first, 3 * count), q.sectors.subspan(first, count), q.targets.subspan(3 * first, 3 * count)};
+    return {q.origins.subspan(3 * first, 3 * count), q.sectors.subspan(first, count),
+            q.targets.subspan(3 * first, 3 * count), q.aims.subspan(first, count)};
 }
 
 std::vector<Triangle> walls(const jk::SectorMesh& mesh) {
@@ -178,20 +191,27 @@ int main(int argc, char** argv) {
 #ifdef JKTOOLS_EMBREE
     const Embree embree(triangles);
 #endif
+    const auto rows = read<std::uint8_t>(in);
+    const jk::VisibleRows known{rows, (viewer.mesh().sectors() + 7) / 8};
     for (const char* set : {"things", "random", "near"}) {
-        const auto origins = read<double>(in);
-        const auto sectors = read<jk::Index>(in);
-        const auto targets = read<double>(in);
+        const Set queries(in), aimed(in);
         const auto ours = [&](jk::Tier tier) {
-            return [&, tier](const jk::Queries& q) { return viewer.sight(q, tier, 1).visible; };
+            return [&, tier](const jk::Queries& q) {
+                return viewer.sight({q.origins, q.sectors, q.targets}, tier, 1).visible;
+            };
         };
         std::vector<Runner> runners{{"balanced", ours(jk::Tier::kBalanced)},
                                     {"fast", ours(jk::Tier::kFast)},
                                     {"tree", [&](const jk::Queries& q) { return by_tree(tree, q); }}};
+        std::vector<Runner> seers{{"walked", [&](const jk::Queries& q) { return viewer.sees(q, {}, 1); }},
+                                  {"sees", [&](const jk::Queries& q) { return viewer.sees(q, known, 1); }}};
 #ifdef JKTOOLS_EMBREE
         runners.push_back({"embree", [&](const jk::Queries& q) { return embree.answer(q); }});
+        seers.push_back({"embree", [&](const jk::Queries& q) { return embree.answer(q); }});
 #endif
-        race(runners, {origins, sectors, targets});
+        race(runners, queries.view());
+        race(seers, aimed.view());
         print(set, runners);
+        print(set, seers);
     }
 }

@@ -14,7 +14,11 @@ struct Verdict {
     bool visible;
     Index crossed;  // sectors on the way that decided, the first and the last included
     Index blocker;  // the surface that blocks, -1 when visible
+    bool reached = true;  // whether the sector aimed at, if one is, lies on the way that decided
 };
+
+// No sector is aimed at; a segment then reaches it wherever it ends.
+inline constexpr Index kNoAim = -2;
 
 // A sector on the way, and the surface through which the segment leaves it (-1: it ends there) at `leave` of the way
 // from a to b (1 when it ends), a rounded figure.

@@ -24,7 +24,7 @@ Sight Viewer::sight(const Queries& queries, Tier tier, unsigned threads) const {
     Sight out(queries.rows());
     if (tier == Tier::kBalanced) {
         share_out_ranges(queries.rows(), kWave, threads, [&](std::size_t first, std::size_t end) {
-            walk_waves(mesh_, fans_, rooms_, queries, first, end, out);
+            walk_waves(mesh_, fans_, rooms_, queries, {}, first, end, out);
         });
         return out;
     }
@@ -35,6 +35,22 @@ Sight Viewer::sight(const Queries& queries, Tier tier, unsigned threads) const {
         out.tell(row, {found.visible, found.crossed, found.blocker});
     });
     return out;
+}
+
+std::vector<std::uint8_t> Viewer::sees(const Queries& queries, const VisibleRows& known, unsigned threads) const {
+    check(queries);
+    if (queries.aims.size() != queries.rows()) throw std::invalid_argument("target_sectors must have shape (n,)");
+    for (std::size_t row = 0; row < queries.rows(); ++row)
+        if (queries.aims[row] < -1 || queries.aims[row] >= static_cast<Index>(mesh_.sectors()))
+            refuse("sector of target", row, queries.aims[row]);
+    if (!known.rows.empty() &&
+        (known.bytes != (mesh_.sectors() + 7) / 8 || known.rows.size() != mesh_.sectors() * known.bytes))
+        throw std::invalid_argument("the visible sectors are not those of this mesh");
+    Sight out(queries.rows());
+    share_out_ranges(queries.rows(), kWave, threads, [&](std::size_t first, std::size_t end) {
+        walk_waves(mesh_, fans_, rooms_, queries, known, first, end, out);
+    });
+    return std::move(out.visible);
 }
 
 Verdict Viewer::explain(std::span<const double> origin, Index sector, std::span<const double> target,

@@ -31,6 +31,12 @@ public:
     // the row when a sector is out of bounds or a coordinate is not finite or too great.
     Sight sight(const Queries& queries, Tier tier, unsigned threads) const;
 
+    // Whether each target is seen in the sector that its query aims at: visible, on a way that enters that sector. Queries
+    // whose pair of sectors is not among the `known` visible ones are not walked; as long as those rows are right, which
+    // they are when no way enters a sector that has no bit, they change no answer. Throws as `sight` does, and when a
+    // sector aimed at does not exist or the rows are not of this mesh.
+    std::vector<std::uint8_t> sees(const Queries& queries, const VisibleRows& known, unsigned threads) const;
+
     // The way that decides one query, by the complete search.
     Verdict explain(std::span<const double> origin, Index sector, std::span<const double> target,
                     std::vector<Step>& path) const;

@@ -1,6 +1,8 @@
 #include "geometry/walk.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "geometry/glance.hpp"
 
@@ -9,23 +11,26 @@ namespace {
 
 class Walk {
 public:
-    Walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Segment& segment, const Stand& stand,
-         Doubts& doubts)
-        : mesh_(mesh), fans_(fans), rooms_(rooms), segment_(segment), stand_(stand), doubts_(doubts) {}
+    Walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Segment& segment, Index aim,
+         const Stand& stand, Doubts& doubts)
+        : mesh_(mesh), fans_(fans), rooms_(rooms), segment_(segment), aim_(aim), stand_(stand), doubts_(doubts) {
+        stand_.reached |= aim == kNoAim;
+    }
 
     Verdict run(Index start) {
         for (;; ++stand_.crossed) {
+            stand_.reached |= stand_.sector == aim_;
             Glance seen = glance(rooms_, fans_, stand_.sector, segment_, stand_.entered);
             if (seen.kind == Glance::kDoubt)
                 seen = look(stand_.sector);
             else
                 entry_.reset();
-            if (seen.kind == Glance::kEnds) return {true, stand_.crossed, -1};
+            if (seen.kind == Glance::kEnds) return {true, stand_.crossed, -1, stand_.reached};
             if (seen.kind == Glance::kDoubt) {
                 ++doubts_.queries;
-                return search(mesh_, fans_, &rooms_, start, segment_);
+                return search_all(start);
             }
-            if (seen.leads_to == kBlocks) return {false, stand_.crossed, seen.surface};
+            if (seen.leads_to == kBlocks) return {false, stand_.crossed, seen.surface, stand_.reached};
             stand_.sector = seen.leads_to;
             stand_.entered_by = seen.surface;
             stand_.entered = seen.latest;
@@ -33,6 +38,14 @@ public:
     }
 
 private:
+    Verdict search_all(Index start) const {
+        if (aim_ == kNoAim) return search(mesh_, fans_, &rooms_, start, segment_);
+        std::vector<Step> path;
+        Verdict found = search(mesh_, fans_, &rooms_, start, segment_, &path);
+        found.reached = std::any_of(path.begin(), path.end(), [&](const Step& step) { return step.sector == aim_; });
+        return found;
+    }
+
     // The exact answer for one sector; in doubt when ways part or do not advance.
     Glance look(Index sector) {
         ++doubts_.sectors;
@@ -69,6 +82,7 @@ private:
     const Fans& fans_;
     const Rooms& rooms_;
     const Segment segment_;
+    const Index aim_;
     Stand stand_;
     Doubts& doubts_;
     std::optional<Crossing> entry_;  // exact, where the last sector was searched completely
@@ -76,14 +90,14 @@ private:
 
 }  // namespace
 
-Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index start, const Stand& stand,
+Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index start, Index aim, const Stand& stand,
              const Segment& segment, Doubts& doubts) {
-    return Walk(mesh, fans, rooms, segment, stand, doubts).run(start);
+    return Walk(mesh, fans, rooms, segment, aim, stand, doubts).run(start);
 }
 
 Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index start, const Segment& segment,
              Doubts& doubts) {
-    return walk(mesh, fans, rooms, start, {start}, segment, doubts);
+    return walk(mesh, fans, rooms, start, kNoAim, {start}, segment, doubts);
 }
 
 }  // namespace jk

@@ -20,10 +20,11 @@ struct Doubts {
 struct Stand {
     Index sector, entered_by = -1, crossed = 1;
     float entered = 0;
+    bool reached = false;  // whether the sector aimed at was one of those before
 };
 
-// Walks on from `stand`; `start` is the sector that the segment starts in.
-Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index start, const Stand& stand,
+// Walks on from `stand`; `start` is the sector that the segment starts in, `aim` one that it aims at, or kNoAim.
+Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index start, Index aim, const Stand& stand,
              const Segment& segment, Doubts& doubts);
 
 Verdict walk(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, Index start, const Segment& segment,

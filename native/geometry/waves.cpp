@@ -15,12 +15,17 @@ public:
     Waves(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Queries& queries, Sight& out)
         : mesh_(mesh), fans_(fans), rooms_(rooms), queries_(queries), out_(out), start_(mesh.sectors() + 1) {}
 
-    void run(std::size_t first, std::size_t end) {
+    void run(const VisibleRows& known, std::size_t first, std::size_t end) {
         stands_.resize(end - first);
         first_ = first;
-        under_way_.resize(stands_.size());
-        std::iota(under_way_.begin(), under_way_.end(), Row{0});
-        for (const Row row : under_way_) stands_[row] = {queries_.sectors[first + row]};
+        for (Row row = 0; row < stands_.size(); ++row) {
+            stands_[row] = {queries_.sectors[first + row]};
+            const Index aim = queries_.aim(first + row);
+            if (aim == kNoAim || (aim >= 0 && known.holds(stands_[row].sector, aim)))
+                under_way_.push_back(row);
+            else
+                out_.tell(first + row, {false, 0, -1});
+        }
         while (!under_way_.empty()) {
             sort_by_sector();
             under_way_.clear();
@@ -71,14 +76,16 @@ private:
 
     void follow(Row row, const Segment& segment, const Glance& seen) {
         Stand& stand = stands_[row];
-        if (seen.kind == Glance::kEnds) return out_.tell(first_ + row, {true, stand.crossed, -1});
+        const Index aim = queries_.aim(first_ + row);
+        stand.reached |= aim == kNoAim || stand.sector == aim;
+        if (seen.kind == Glance::kEnds) return out_.tell(first_ + row, {true, stand.crossed, -1, stand.reached});
         if (seen.kind == Glance::kDoubt) {
             Doubts doubts;
             return out_.tell(first_ + row,
-                             walk(mesh_, fans_, rooms_, queries_.sectors[first_ + row], stand, segment, doubts));
+                             walk(mesh_, fans_, rooms_, queries_.sectors[first_ + row], aim, stand, segment, doubts));
         }
         if (seen.leads_to == kBlocks) return out_.tell(first_ + row, {false, stand.crossed, seen.surface});
-        stand = {seen.leads_to, seen.surface, stand.crossed + 1, seen.latest};
+        stand = {seen.leads_to, seen.surface, stand.crossed + 1, seen.latest, stand.reached};
         under_way_.push_back(row);
     }
 
@@ -95,9 +102,9 @@ private:
 
 }  // namespace
 
-void walk_waves(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Queries& queries, std::size_t first,
-                std::size_t end, Sight& out) {
-    Waves(mesh, fans, rooms, queries, out).run(first, end);
+void walk_waves(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Queries& queries,
+                const VisibleRows& known, std::size_t first, std::size_t end, Sight& out) {
+    Waves(mesh, fans, rooms, queries, out).run(known, first, end);
 }
 
 }  // namespace jk

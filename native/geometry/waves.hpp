@@ -12,8 +12,9 @@ namespace jk {
 // Rows that are walked together: enough to meet in sectors, few enough to stay in the cache.
 inline constexpr std::size_t kWave = 8192;
 
-// Answers the rows [first, end), at most kWave of them.
-void walk_waves(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Queries& queries, std::size_t first,
-                std::size_t end, Sight& out);
+// Answers the rows [first, end), at most kWave of them. A query that aims at a sector which is not among the `known`
+// visible ones is not walked at all: it is not visible, and nothing is told of its way.
+void walk_waves(const SectorMesh& mesh, const Fans& fans, const Rooms& rooms, const Queries& queries,
+                const VisibleRows& known, std::size_t first, std::size_t end, Sight& out);
 
 }  // namespace jk

@@ -202,3 +202,55 @@ def test_configured_ignores_meet_scripts(here: Path) -> None:
     (here / "cog").mkdir()
     (here / "x.cog").rename(here / "cog/x.cog")
     assert main(["lint", "cog/x.cog", "--select", "JK523"]) == 0
+
+
+LAMP = b"""symbols
+message created
+message pulse
+end
+code
+created:
+    SetThingPulse(GetSenderRef(), 0.1);
+    return;
+pulse:
+    if (HasLOS(GetSenderRef(), GetLocalPlayerThing()) == 1) SetThingLight(GetSenderRef(), 1.0, 0.1);
+    return;
+end
+"""
+
+
+def lamp_level(folder: Path) -> tuple[Path, Path]:
+    text = two_rooms(
+        "World templates 4", "lamp none type=cog cog=lamp.cog", "World things 4", "2: lamp lamp .5 .5 .5 0 0 0 0"
+    )
+    for name, data in (("cog/lamp.cog", LAMP), ("jkl/rooms.jkl", text.encode())):
+        (folder / name).parent.mkdir()
+        (folder / name).write_bytes(data)
+    return folder / "cog/lamp.cog", folder / "jkl/rooms.jkl"
+
+
+def test_a_level_brings_the_costs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    script, level = lamp_level(tmp_path)
+    assert main(["cog", str(script), "--level", str(level)]) == 0
+    # 10 pulses a second; the player is in the lamp's room (6 surfaces) or in the other (12 on the way).
+    assert capsys.readouterr().out.splitlines()[-3:] == [
+        "  costs of sight (1):",
+        "    haslos, line 10, class cog lamp.cog on 1 thing: 10 times a second, 9 surfaces in 1.5 sectors on the mean, "
+        "12 in 2 at most",
+        "      pulse less often, or test the distance first",
+    ]
+
+
+def test_the_costs_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    script, level = lamp_level(tmp_path)
+    assert main(["cog", str(script), "--level", str(level), "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    jsonschema.validate(told, json.loads((ROOT / "docs/cog.schema.json").read_text()))
+    (cost,) = told["scripts"][0]["costs"]
+    assert (cost["mean_surfaces"], cost["verdict"], cost["level"]) == (9, "varies", str(level))
+
+
+def test_a_level_that_cannot_be_read_is_bad_usage(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    script, _ = lamp_level(tmp_path)
+    assert main(["cog", str(script), "--level", str(tmp_path / "none.jkl")]) == 2
+    assert "none.jkl" in capsys.readouterr().err

@@ -148,7 +148,8 @@ def test_columns_and_schema_say_the_same() -> None:
     schema = (ROOT / "grammars/level.fbs").read_text()
     types = {"float": "f4", "int": "i4", "uint": "u4", "double": "f8", "ubyte": "u1"}
     for section, columns in SECTIONS.items():
-        body = re.search(rf"^table {section.capitalize()} {{(.*?)^}}", schema, re.MULTILINE | re.DOTALL)
+        table = "".join(part.capitalize() for part in section.split("_"))
+        body = re.search(rf"^table {table} {{(.*?)^}}", schema, re.MULTILINE | re.DOTALL)
         assert body
         fields = re.findall(r"^  (\w+): \[(\w+)\](?: \(([^)]*)\))?;", body[1], re.MULTILINE)
         assert [name for name, *_ in fields] == list(columns)

@@ -10,6 +10,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from jktools.model.cog import values
 from jktools.model.cog.values import Value, flex, to_int
 from jktools.model.cog.verbs import REFERENCES, Verb
@@ -271,10 +273,10 @@ def _narrow(operator: str, a: Range, b: Range) -> Range | None:
     low, high, whole = a.low, a.high, a.kinds == INT
     if operator in ("<", "<="):
         if high >= b.high:
-            high = math.ceil(b.high) - 1 if whole and operator == "<" else b.high
+            high = b.high if operator == "<=" else math.ceil(b.high) - 1 if whole else _next(b.high, -INF)
     elif operator in (">", ">="):
         if low <= b.low:
-            low = math.floor(b.low) + 1 if whole and operator == ">" else b.low
+            low = b.low if operator == ">=" else math.floor(b.low) + 1 if whole else _next(b.low, INF)
     elif operator == "==":
         low, high = max(low, b.low), min(high, b.high)
     elif whole and b.low == b.high:
@@ -282,6 +284,11 @@ def _narrow(operator: str, a: Range, b: Range) -> Range | None:
     if whole:
         low, high = _up(low), _down(high)
     return Range(a.kinds, low, high) if low <= high else None
+
+
+def _next(bound: float, towards: float) -> float:
+    """The flex beside one: what is less than 3 is 2 when it is cut to an int."""
+    return bound if math.isinf(bound) else float(np.nextafter(np.float32(bound), np.float32(towards)))
 
 
 def _up(bound: float) -> float:

@@ -16,7 +16,7 @@ from jktools.facts.cog.dataflow import Known
 from jktools.facts.cog.lowering import Block, Flow, Op
 from jktools.facts.cog.reach import Reach
 from jktools.model.cog.program import Program
-from jktools.syntax.cog.nodes import Assign, Binary, Expression, Name
+from jktools.syntax.cog.nodes import Assign, Binary, Call, Expression, Name
 
 MOST_FRAMES = 4
 """How deep `call` and messages nest."""
@@ -26,6 +26,11 @@ MOST_EFFORT = 50_000
 """Blocks counted before nothing more is held for bounded; only scripts made to take long come near."""
 SHORTEST_SLEEP = 0.1
 """What a sleep of 0 seconds or less lasts."""
+MOST_SEEN = 32
+"""Things that FirstThingInView finds at most (sithCogFunctionAI_FirstThingInView in the decompiled engine)."""
+VIEWS = frozenset({"firstthinginview", "firstthingincone"})
+WALKS = frozenset({"nextthinginview", "nextthingincone"})
+NO_THING = ranges.Range(ranges.INT, -1, -1)
 
 
 class Repeats(NamedTuple):
@@ -210,7 +215,8 @@ class Counter:
         return slot in self.stores or bool(self.arrays)
 
     def _turns(self, header: int, part: frozenset[int]) -> tuple[float, int]:
-        """The most turns of a loop whose condition compares a variable that every turn moves by a step.
+        """The most turns of a loop whose condition compares a variable that every turn moves by a step, or that walks
+        through the things in view.
 
         With the block that tests it: where that is the header, nothing else is passed once more than the turns.
         """
@@ -236,9 +242,11 @@ class Counter:
         ]
         best = math.inf
         for variable, operator, own, limit in sides:
-            if isinstance(variable, Name) and operator in ("<", "<=", ">", ">="):
+            if isinstance(variable, Name) and operator in ranges.INVERSE:
                 going = operator if stays else ranges.INVERSE[operator]
-                best = min(best, self._counted(variable, going, own, limit, header, part))
+                best = min(best, self._walked(variable, going, limit, header, part))
+                if going in ("<", "<=", ">", ">="):
+                    best = min(best, self._counted(variable, going, own, limit, header, part))
         return best
 
     def _counted(
@@ -276,6 +284,27 @@ class Counter:
         else:
             turns = (end - start) // (least * 15 / 16) + 1
         return max(0.0, turns)
+
+    def _walked(self, variable: Name, going: str, limit: ranges.Range, header: int, part: frozenset[int]) -> float:
+        """The most turns of a loop over what FirstThingInView found: the engine keeps 32 things, then says none."""
+        slot = self.program.slot_of.get(variable.name)
+        if slot is None or ranges.truth(ranges.binary(going, NO_THING, limit)) is not False:
+            return math.inf
+        stores = [*self.stores.get(slot.index, []), *self.arrays]
+        moving = [(index, node) for index, node in stores if index in part]
+        walks = all(self._is_call(node.value, WALKS) for _, node in moving)
+        if not walks or not any(self._every_turn(index, header, part) for index, _ in moving):
+            return math.inf
+        called = frozenset(self.reach.blocks_from(c for i in part if (c := self.flow.blocks[i].callee) >= 0))
+        anew = any(
+            op is Op.CALL and (arg.name in VIEWS or arg.delivers)
+            for i in part | called for op, arg, _ in self.flow.blocks[i].code
+        )  # fmt: skip
+        return math.inf if anew or self._others_store(part, stores) else MOST_SEEN
+
+    def _is_call(self, value: Expression, names: frozenset[str]) -> bool:
+        verb = self.program.verb_of(value) if isinstance(value, Call) else None
+        return verb is not None and verb.name in names
 
     def _ends(self, stored: ranges.Range, going: str, limit: ranges.Range) -> bool:
         """Whether an assignment in a loop ends it, as `i = 100;` where another language has `break`."""

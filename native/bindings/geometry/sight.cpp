@@ -29,6 +29,17 @@ auto sight(const Viewer& viewer, Array<double> origins, Array<Index> sectors, Ar
                            hand_over(std::move(found.blocker)));
 }
 
+auto sees(const Viewer& viewer, Array<double> origins, Array<Index> sectors, Array<double> targets, Array<Index> aims,
+          Array<std::uint8_t> visible, unsigned threads) {
+    std::vector<std::uint8_t> found;
+    {
+        nb::gil_scoped_release release;
+        const VisibleRows known{view(visible), (viewer.mesh().sectors() + 7) / 8};
+        found = viewer.sees({view(origins), view(sectors), view(targets), view(aims)}, known, threads);
+    }
+    return hand_over(std::move(found));
+}
+
 auto locate(const Viewer& viewer, Array<double> points, unsigned threads) {
     Location found;
     {
@@ -73,6 +84,11 @@ void open_sight(nb::module_& m) {
              "Answer (visible, crossed, blocker), uint8 and int32, one entry a query.\n\n"
              "origins and targets are (3n,) float64, JKU; sectors (n,) int32. Raises ValueError naming the row that is\n"
              "out of bounds.")
+        .def("sees", &sees, nb::arg("origins"), nb::arg("sectors"), nb::arg("targets"), nb::arg("target_sectors"),
+             nb::arg("visible"), nb::arg("threads"),
+             "Answer whether each target is seen in its sector, uint8, one entry a query.\n\n"
+             "target_sectors is (n,) int32, -1 for a target in none; visible the rows of bits of visible_sectors, flat\n"
+             "uint8, or empty. Raises ValueError naming the row that is out of bounds.")
         .def("locate", &locate, nb::arg("points"), nb::arg("threads"),
              "Answer (sector, inside, touching), int32, one entry a point of (3n,) float64, JKU.\n\n"
              "sector is the first that holds the point inside, else the first on whose boundary it lies, else -1;\n"

@@ -1,0 +1,270 @@
+"""Sight hotspots: which scripts ask for sight, how often, at what cost, and with what outcome.
+
+The cost is counted work, so that it depends on no machine: the sectors entered and the surfaces tested along the real
+segments. An end that moves is tried at the middle of every sector that it can come to. What cannot be known is told as
+such: how often the player causes a message, how many things play creates.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+
+from jktools.facts.cog import ranges
+from jktools.facts.cog.rates import FRAMES_PER_SECOND, Site
+from jktools.facts.hotspots.ends import ANY_TYPE, FLOODS, NEXT, End, ends, seen_mask
+from jktools.facts.hotspots.pace import Paces
+from jktools.facts.hotspots.runners import Runner
+from jktools.facts.hotspots.work import MOST_SEEN, Place, SightWork, Work
+from jktools.model import Level, Thing
+from jktools.syntax.template.parameters import TYPES
+
+_T = TypeVar("_T")
+
+MOST_PAIRS = 4096
+"""Pairs of places that are tried for one call; of more, evenly spread ones."""
+SIGHT_COSTS = frozenset({"ray", "flood"})
+TIMED = frozenset({"pulse", "timer", "thing pulse", "thing timer"})
+BODIES = ("actor", "player")
+FIXED_TYPES = ("cog", "ghost", "item", "corpse", "camera")
+MOVING_VERBS = frozenset(
+    {
+        "teleportthing", "setthingpos", "setthingposex", "movetoframe", "jumptoframe", "skiptoframe", "pathmovepause",
+        "rotate", "rotatepivot", "attachthingtothing", "attachthingtothingex", "detachthing", "setthingvel",
+        "applyforce", "setthinglook", "moverotate",
+    }
+)  # fmt: skip
+"""With one of these in any script of the level, no thing is taken to stay where it is placed."""
+
+
+class Verdict(StrEnum):
+    """What the tests of a call find."""
+
+    ALWAYS = "always"
+    NEVER = "never"
+    VARIES = "varies"
+
+
+class Cost(NamedTuple):
+    """Counted work of one call."""
+
+    mean_sectors: float
+    mean_surfaces: float
+    most_sectors: int
+    most_surfaces: int
+    pairs: int
+    """Pairs of places that were tried; 0 where nothing is known of the ends."""
+
+
+@dataclass(frozen=True, slots=True)
+class Hotspot:
+    """One call of a verb of sight, in one running script."""
+
+    runner: Runner
+    site: Site
+    handlers: Mapping[str, float]
+    """The handlers that lead to it, with their runs a second that last."""
+    per_run: Mapping[str, float]
+    """Most calls in one run of each."""
+    calls_per_second: float
+    cost: Cost
+    verdict: Verdict
+    pulse: float
+    """The shortest interval, in seconds, that a pulse or timer on the way there asks for; infinite without one."""
+
+    @property
+    def surfaces_per_second(self) -> float:
+        """Surface tests a second, on the mean."""
+        return self.calls_per_second * self.cost.mean_surfaces if self.calls_per_second else 0.0
+
+    @property
+    def help(self) -> str:
+        """What would make it cheaper."""
+        if self.verdict is not Verdict.VARIES:
+            return "the outcome is known beforehand: leave the test out"
+        if math.isinf(self.calls_per_second):
+            return "end the loop after a known number of turns, or sleep in it"
+        if self.pulse < math.inf and self.runner.cog is None and len(self.runner.things) > 1:
+            return "pulse less often, and only things that the player is near"
+        if self.pulse < math.inf:
+            return "pulse less often, or test the distance first"
+        return "keep the answer for some time, or test the distance first"
+
+
+class Scene:
+    """What the hotspots of a level are worked out from."""
+
+    def __init__(
+        self, level: Level, runners: Sequence[Runner], work: SightWork, frames: float = FRAMES_PER_SECOND
+    ) -> None:
+        """`frames` are the game's a second, which no pulse outruns."""
+        self.level, self.runners, self.work = level, tuple(runners), work
+        self.paces = Paces(runners, frames)
+        self.placed = [t for t in level.things if t.dropped is None and np.isfinite(t.position).all()]
+        self.by_number = {thing.number: thing for thing in self.placed}
+        verbs = {site.verb.name for runner in runners for site in runner.analysis.rates.sites}
+        self.things_stay = not verbs & MOVING_VERBS
+        self._roaming: dict[frozenset[int], list[Place]] = {}
+
+    def hotspots(self) -> list[Hotspot]:
+        """All of them, the dearest first."""
+        found = [
+            self._hotspot(runner, site)
+            for runner in self.runners
+            for site in runner.analysis.rates.sites
+            if site.verb.sight in SIGHT_COSTS
+        ]
+        return sorted(found, key=lambda h: (-h.surfaces_per_second, h.runner.place, h.site.call.start))
+
+    def _hotspot(self, runner: Runner, site: Site) -> Hotspot:
+        rates, paces = runner.analysis.rates, self.paces
+        labels = [label for label in rates.senders_of(site) if label in paces.started[runner]]
+        per_run = {label: self._per_run(runner, site, label) for label in labels}
+        calls = sum(self._calls(runner, site, label, per_run[label]) for label in labels)
+        cost, verdict = self._flood(runner, site) if site.verb.sight == "flood" else self._rays(runner, site)
+        handlers = {label: paces.runs_of(runner, label) for label in labels}
+        return Hotspot(runner, site, handlers, per_run, calls, cost, verdict, self._pulse(runner, labels))
+
+    def _per_run(self, runner: Runner, site: Site, label: str) -> float:
+        """Calls in one run; a loop over the things in view turns no more often than there are such things."""
+        count = runner.analysis.rates.repeats_of(label, site).per_run
+        kinds = {end.kind for argument in range(2) for end in ends(runner, site, argument)}
+        if site.verb.sight != "ray" or "seen" not in kinds or not self._in_walk(runner):
+            return count
+        first = sum(
+            runner.analysis.rates.repeats_of(label, flood).per_run
+            for flood in runner.analysis.rates.sites
+            if flood.verb.name in FLOODS
+        )
+        return min(count, max(first, 1.0) * min(MOST_SEEN, max(self._seen(runner), 1)))
+
+    def _in_walk(self, runner: Runner) -> bool:
+        return any(site.verb.name in NEXT for site in runner.analysis.rates.sites)
+
+    def _seen(self, runner: Runner) -> int:
+        """The things in the level of the types that a script looks for."""
+        mask = seen_mask(runner)
+        return sum(1 for thing in self.placed if mask >> TYPES.index(thing.resolved.type) & 1)
+
+    def _calls(self, runner: Runner, site: Site, label: str, per_run: float) -> float:
+        passes = runner.analysis.rates.repeats_of(label, site)
+        runs = self.paces.runs_of(runner, label)
+        return (runs * per_run if runs else 0.0) + passes.per_second
+
+    def _pulse(self, runner: Runner, labels: Iterable[str]) -> float:
+        """The shortest interval asked for among what brings these handlers their messages."""
+        found = [math.inf]
+        for label in labels:
+            sources = runner.analysis.rates.sources[label]
+            found += [source.least for source in sources if source.kind in TIMED and not source.off]
+            handler = runner.analysis.program.handler_of[label]
+            found += [seconds for seconds, _ in self.paces.beats_for(runner, handler.message.id).values()]
+        return min(found)
+
+    # ---- cost and verdict
+
+    def _flood(self, runner: Runner, site: Site) -> tuple[Cost, Verdict]:
+        distance = ranges.as_flex(site.arguments[2])[1] if len(site.arguments) > 2 else math.inf
+        places = [place for end in sorted(ends(runner, site, 0)) for place in self._places(runner, end)]
+        return _cost([self.work.flood(place, distance) for place in _spread(places, MOST_PAIRS)]), Verdict.VARIES
+
+    def _rays(self, runner: Runner, site: Site) -> tuple[Cost, Verdict]:
+        sides = [sorted(ends(runner, site, argument)) for argument in range(2)]
+        places = [[place for end in side for place in self._places(runner, end)] for side in sides]
+        works = [self.work.ray(a, b) for a, b in _pairs(*places)]
+        return _cost(works), self._verdict(runner, sides, works)
+
+    def _verdict(self, runner: Runner, sides: Sequence[Sequence[End]], works: Sequence[Work]) -> Verdict:
+        if all(len(side) == 1 and side[0].kind == "thing" for side in sides) and sides[0] == sides[1]:
+            return Verdict.ALWAYS if sides[0][0].number in self.by_number else Verdict.VARIES
+        fixed = all(self._stays(runner, end) for side in sides for end in side)
+        if not fixed or not works or any(work.changeable for work in works):
+            return Verdict.VARIES
+        outcomes = {work.visible for work in works}
+        if outcomes == {False}:
+            return Verdict.NEVER
+        return Verdict.VARIES if len(outcomes) > 1 or self._may_be_hidden(sides) else Verdict.ALWAYS
+
+    def _may_be_hidden(self, sides: Sequence[Sequence[End]]) -> bool:
+        """Whether a thing could stand between: any solid one that is none of the two ends."""
+        own = {end.number for side in sides for end in side}
+        return any(t.number not in own and t.resolved.number("collide") != 0 for t in self.placed)
+
+    def _stays(self, runner: Runner, end: End) -> bool:
+        """Whether an end is where it is placed for as long as the level runs."""
+        if not self.things_stay or end.kind not in ("thing", "carrier"):
+            return False
+        if end.kind == "carrier" and (runner.more or runner.cog is not None):
+            return False
+        things = runner.things if end.kind == "carrier" else [self.by_number.get(end.number)]
+        return all(t is not None and t.resolved.type in FIXED_TYPES and t.resolved.move == "none" for t in things)
+
+    def _places(self, runner: Runner, end: End) -> list[Place]:
+        """Where an end can be; nothing where that is not known."""
+        if end.kind == "thing":
+            thing = self.by_number.get(end.number)
+            things = [] if thing is None else [thing]
+        elif end.kind == "carrier":
+            things = list(runner.things)
+        elif end.kind == "player":
+            things = [thing for thing in self.placed if thing.resolved.type == "player"]
+        else:
+            mask = end.mask if end.kind == "seen" else ANY_TYPE
+            things = [thing for thing in self.placed if mask >> TYPES.index(thing.resolved.type) & 1]
+        stay = [_place(thing) for thing in things if not _roams(thing) and np.isfinite(thing.position).all()]
+        return stay + self._roam(frozenset(thing.sector_index for thing in things if _roams(thing)))
+
+    def _roam(self, sectors: frozenset[int]) -> list[Place]:
+        if sectors not in self._roaming:
+            centres = self.work.centres
+            self._roaming[sectors] = [
+                Place(i, (float(centres[i, 0]), float(centres[i, 1]), float(centres[i, 2])))
+                for i in self.work.reached_from(sectors)
+                if np.isfinite(centres[i]).all()
+            ]
+        return self._roaming[sectors]
+
+
+def _place(thing: Thing) -> Place:
+    x, y, z = thing.position.tolist()
+    return Place(thing.sector_index, (x, y, z))
+
+
+def _roams(thing: Thing) -> bool:
+    return thing.resolved.type in BODIES and thing.resolved.move == "physics"
+
+
+def _spread(items: Sequence[_T], most: int) -> Sequence[_T]:
+    """At most so many, evenly spread."""
+    if len(items) <= most:
+        return items
+    return [items[i * len(items) // most] for i in range(most)]
+
+
+def _pairs(origins: Sequence[Place], targets: Sequence[Place]) -> list[tuple[Place, Place]]:
+    """At most so many pairs, evenly spread over all."""
+    total = len(origins) * len(targets)
+    chosen = range(total) if total <= MOST_PAIRS else (i * total // MOST_PAIRS for i in range(MOST_PAIRS))
+    return [(origins[i // len(targets)], targets[i % len(targets)]) for i in chosen]
+
+
+def _cost(works: Sequence[Work]) -> Cost:
+    if not works:
+        return Cost(0.0, 0.0, 0, 0, 0)
+    return Cost(
+        math.fsum(work.sectors for work in works) / len(works),
+        math.fsum(work.surfaces for work in works) / len(works),
+        max(work.sectors for work in works),
+        max(work.surfaces for work in works),
+        len(works),
+    )
+
+
+def asks_for_sight(runner: Runner) -> bool:
+    """Whether the script calls a verb of sight that costs something, whether or not the call can run."""
+    return any(verb.sight in SIGHT_COSTS for _, verb in runner.script.program.calls)

@@ -1,0 +1,60 @@
+"""Hotspots in the shape of reports."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+
+import msgspec
+
+from jktools.facts.hotspots.hotspots import Hotspot
+
+
+class CostSummary(msgspec.Struct, frozen=True):
+    """What one call of a verb of sight costs in a level."""
+
+    level: str
+    """Path."""
+    runner: str
+    """What runs the script: `cog 3 (00_lamp.cog)`, `class cog lamp.cog on 60 things`."""
+    verb: str
+    line: int
+    """In the script, from 1."""
+    calls_per_second: float | None
+    """Of what lasts; None where nothing bounds it."""
+    mean_sectors: float
+    """Sectors entered in one call."""
+    mean_surfaces: float
+    """Surfaces tested in one call."""
+    most_sectors: int
+    most_surfaces: int
+    pairs: int
+    """Pairs of places that were tried; 0 where nothing is known of the ends."""
+    verdict: str
+    """`always`, `never` or `varies`."""
+    help: str
+    """What would make it cheaper."""
+
+
+def summarise_costs(path: str, spots: Iterable[Hotspot]) -> Mapping[str, list[CostSummary]]:
+    """The hotspots of a level by the lower-case name of their script, the dearest first."""
+    found: dict[str, list[CostSummary]] = {}
+    for spot in spots:
+        calls = spot.calls_per_second
+        found.setdefault(spot.runner.name, []).append(
+            CostSummary(
+                path,
+                spot.runner.title,
+                spot.site.verb.name,
+                spot.runner.script.span(spot.site.call).first.line,
+                None if math.isinf(calls) else calls,
+                spot.cost.mean_sectors,
+                spot.cost.mean_surfaces,
+                spot.cost.most_sectors,
+                spot.cost.most_surfaces,
+                spot.cost.pairs,
+                spot.verdict.value,
+                spot.help,
+            )
+        )
+    return found

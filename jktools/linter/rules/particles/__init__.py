@@ -1,0 +1,1 @@
+"""Rules on clouds of particles."""

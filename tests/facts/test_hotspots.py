@@ -1,0 +1,254 @@
+"""Hotspots: calls a second and counted work against figures worked out by hand.
+
+The two rooms are cubes of one JKU with 6 surfaces each, sector 0 at y 0 to 1 and sector 1 at y 1 to 2, with one adjoin
+between them: a ray within one room tests 6 surfaces, one from room to room 12.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+
+import pytest
+
+from jktools.facts import LevelFacts
+from jktools.facts.hotspots import Hotspot, Verdict
+from jktools.session import discover, load
+from tests.support.levels import CORPUS, level_with_files
+from tests.support.scripts import corpus_scripts
+
+PLAYER = "0: walkplayer walkplayer .5 .5 .2 0 0 0 0"
+
+
+def hotspots(*fragment: str) -> list[Hotspot]:
+    with level_with_files(*fragment) as level:
+        return LevelFacts(level).hotspots
+
+
+def things(count: int, template: str = "lamp", sector: int = 0, first: int = 10) -> Iterator[str]:
+    y = ".5" if sector == 0 else "1.5"
+    return (f"{i}: {template} {template} .5 {y} .5 0 0 0 {sector}" for i in range(first, first + count))
+
+
+def class_cog(lines: Sequence[str], *placed: str, template: str = "lamp none type=cog cog=lamp.cog") -> list[str]:
+    return ["World templates 4", template, "World things 90", PLAYER, *placed, "== cog/lamp.cog", *lines]
+
+
+def placed_cog(values: str, *lines: str, more: Sequence[str] = ()) -> list[str]:
+    """A placed script with two ghosts to look at: thing 20 in sector 0, thing 21 in sector 1, and no player."""
+    return [
+        "World templates 4", "mark none type=ghost", "World things 90", *more, "20: mark mark .5 .5 .5 0 0 0 0",
+        "21: mark mark .5 1.5 .5 0 0 0 1", "World cogs 1", f"0: look.cog {values}", "== cog/look.cog", *lines,
+    ]  # fmt: skip
+
+
+SWING_LAMP = """
+symbols
+message created
+message pulse
+end
+code
+created:
+    SetThingPulse(GetSenderRef(), 0.1);
+    return;
+pulse:
+    if (HasLOS(GetSenderRef(), GetLocalPlayerThing()) == 1) SetThingLight(GetSenderRef(), 1.0, 0.1);
+    return;
+end
+""".strip().split("\n")
+
+
+def test_sixty_lamps_pulse_once_each_though_they_share_one_script() -> None:
+    (found,) = hotspots(*class_cog(SWING_LAMP, *things(60)))
+    # 60 lamps x 10 pulses a second x 1 call.
+    assert found.calls_per_second == pytest.approx(600)
+    assert found.handlers == pytest.approx({"pulse": 600})
+    # The player can stand in either room: 6 surfaces in the lamp's, 12 to the other.
+    assert (found.cost.mean_surfaces, found.cost.most_surfaces) == (9, 12)
+    assert (found.cost.mean_sectors, found.cost.most_sectors) == (1.5, 2)
+    assert found.surfaces_per_second == pytest.approx(5400)
+    assert found.verdict is Verdict.VARIES
+    assert found.runner.title == "class cog lamp.cog on 60 things"
+    assert not found.runner.more
+
+
+def test_lamps_in_both_rooms_cost_their_mean() -> None:
+    (found,) = hotspots(*class_cog(SWING_LAMP, *things(1), *things(3, sector=1, first=30)))
+    assert found.calls_per_second == pytest.approx(40)
+    # Whichever room: half the player's places are in the same one.
+    assert found.cost.mean_surfaces == 9
+
+
+def test_what_another_template_creates_is_told() -> None:
+    created = ["World templates 5", "lamp none type=cog cog=lamp.cog", "box none type=actor explode=lamp"]
+    lines = [*created, "World things 90", PLAYER, *things(2), "40: box box .5 .5 .5 0 0 0 0", "== cog/lamp.cog"]
+    (found,) = hotspots(*lines, *SWING_LAMP)
+    assert found.runner.more
+    assert found.runner.title == "class cog lamp.cog on 2 things and what is created"
+
+
+def view_loop(distance: str = "10") -> list[str]:
+    return [
+        "symbols", "message startup", "message pulse", "thing turret", "thing victim local", "end", "code",
+        "startup: SetPulse(0.5); return;",
+        "pulse:",
+        f"victim = FirstThingInView(turret, 90, {distance}, 0x404);",
+        "while (victim != -1) {",
+        'if (HasLOS(turret, victim) == 1) Print("seen");',
+        "victim = NextThingInView();",
+        "}",
+        "return;", "end",
+    ]  # fmt: skip
+
+
+GUARDS = [
+    "World templates 5",
+    "mark none type=ghost",
+    "guard none type=actor move=physics",
+    "World things 90",
+    PLAYER,
+    "20: mark mark .5 .5 .5 0 0 0 0",
+]
+
+
+def guarded(count: int, *script: str) -> list[Hotspot]:
+    guards = things(count, "guard", sector=1, first=40)
+    return hotspots(*GUARDS, *guards, "World cogs 1", "0: look.cog 20", "== cog/look.cog", *script)
+
+
+def test_a_loop_over_what_is_in_view_turns_once_for_each_thing_of_the_type() -> None:
+    by_verb = {h.site.verb.name: h for h in guarded(3, *view_loop())}
+    # 2 pulses a second; the level has 3 guards and 1 player.
+    assert by_verb["firstthinginview"].calls_per_second == pytest.approx(2)
+    assert by_verb["haslos"].calls_per_second == pytest.approx(8)
+    assert by_verb["haslos"].per_run == {"pulse": 4}
+
+
+def test_the_engine_keeps_no_more_than_32_things_in_view() -> None:
+    by_verb = {h.site.verb.name: h for h in guarded(45, *view_loop())}
+    assert by_verb["haslos"].per_run == {"pulse": 32}
+
+
+@pytest.mark.parametrize(("distance", "sectors", "surfaces"), [("10", 2, 2), ("2", 2, 2), ("1", 2, 1), ("0", 2, 1)])
+def test_a_flood_goes_on_while_the_adjoins_are_near(distance: str, sectors: int, surfaces: int) -> None:
+    # Each adjoin's dist is 1 on either side: the other room is 2 JKU away. It is entered all the same; only its own
+    # adjoins are looked at no more.
+    (found,) = [h for h in guarded(1, *view_loop(distance)) if h.site.verb.name == "firstthinginview"]
+    assert (found.cost.most_sectors, found.cost.most_surfaces) == (sectors, surfaces)
+
+
+def looking(*body: str, symbols: Sequence[str] = ("thing a", "thing b")) -> list[str]:
+    messages = [f"message {name}" for name in ("startup", "pulse", "timer", "activated")]
+    return ["symbols", *messages, *symbols, "end", "code", *body, "end"]
+
+
+LOOK = 'if (HasLOS(a, b) == 1) Print("seen");'
+
+
+@pytest.mark.parametrize(("body", "calls"), [
+    (["startup:", "while (1) {", LOOK, "Sleep(0.25);", "}", "return;"], 4),
+    (["startup:", "while (1) {", LOOK, LOOK.replace("a, b", "b, a"), "Sleep(0.5);", "}", "return;"], 2),
+    (["startup: SetPulse(1.0); return;", "pulse: call look; call look; return;", f"look: {LOOK} return;"], 2),
+    (["startup: SetPulse(0.001); return;", f"pulse: {LOOK} return;"], 50),
+    (["startup: SetPulse(0.5); return;", "pulse:", "for (i = 0; i < 10; i = i + 1) {", LOOK, "}", "return;"], 20),
+    (["startup: SetTimer(0.5); return;", f"timer: {LOOK} return;"], 0),
+    (["startup: SetTimer(0.5); return;", f"timer: {LOOK} SetTimer(0.2); return;"], 5),
+    (["startup: SetPulse(2.0); return;", "pulse: SetTimer(0.5); return;", f"timer: {LOOK} return;"], 0.5),
+    (["startup: SetTimerEx(0.5, 1, 0, 0); return;", f"timer: {LOOK} SetTimerEx(0.25, 1, 0, 0); return;"], 4),
+    (["activated: SetPulse(0.5); return;", f"pulse: {LOOK} return;"], 2),
+    ([f"activated: {LOOK} return;"], 0),
+    (["startup: SetPulse(0.5); return;", "pulse: SetPulse(0); return;", f"activated: {LOOK} return;"], 0),
+    ([f"pulse: {LOOK} SetPulse(0.5); return;", "startup: return;"], 0),
+])  # fmt: skip
+def test_calls_a_second_of_a_placed_script(body: list[str], calls: float) -> None:
+    script = looking(*body, symbols=("thing a", "thing b", "int i local"))
+    found = hotspots(*placed_cog("20 21", *script))
+    assert [h.calls_per_second for h in found] == pytest.approx([calls] * len(found))
+    assert found
+    # From room to room, whichever way round.
+    assert {h.cost.most_surfaces for h in found} == {12}
+
+
+def test_two_calls_of_one_helper_are_one_site_and_two_calls() -> None:
+    script = looking("startup: SetPulse(1.0); return;", "pulse: call look; call look; return;", f"look: {LOOK} return;")
+    (found,) = hotspots(*placed_cog("20 21", *script))
+    assert found.per_run == {"pulse": 2}
+
+
+def test_an_endless_loop_is_told_as_one() -> None:
+    (found,) = hotspots(*placed_cog("20 21", *looking("startup:", "while (1) {", LOOK, "}", "return;")))
+    assert math.isinf(found.per_run["startup"])
+
+
+@pytest.mark.parametrize(("mask", "calls"), [("mask=0x405", 15), ("mask=0x404", 0), ("nolink", 0), ("", 15)])
+def test_pulses_of_things_reach_a_placed_script_by_its_links(mask: str, calls: float) -> None:
+    lamps = [f"thing lamp{i} {mask}" for i in range(3)]
+    body = ["startup:", "for (i = 0; i < 3; i = i + 1) SetThingPulse(lamp0[i], 0.2);", "return;",
+            "pulse: if (HasLOS(GetSenderRef(), b) == 1) Print(\"seen\"); return;"]  # fmt: skip
+    script = looking(*body, symbols=(*lamps, "int i local", "thing b"))
+    more = ["30: mark mark .2 .5 .5 0 0 0 0", "31: mark mark .4 .5 .5 0 0 0 0", "32: mark mark .6 .5 .5 0 0 0 0"]
+    (found,) = hotspots(*placed_cog("30 31 32 21", *script, more=more))
+    assert found.calls_per_second == pytest.approx(calls)
+
+
+@pytest.mark.parametrize(("capture", "calls"), [("", 0), ("CaptureThing(lamp);", 5)])
+def test_a_captured_thing_sends_its_pulses(capture: str, calls: float) -> None:
+    body = [f"startup: {capture} SetThingPulse(lamp, 0.2); return;", f"pulse: {LOOK} return;"]
+    script = looking(*body, symbols=("thing lamp nolink", "thing a nolink", "thing b nolink"))
+    more = ["30: mark mark .2 .5 .5 0 0 0 0"]
+    (found,) = hotspots(*placed_cog("30 20 21", *script, more=more))
+    assert found.calls_per_second == pytest.approx(calls)
+
+
+STARE = looking("startup: SetPulse(1.0); return;", f"pulse: {LOOK} return;")
+SHUT = ("World adjoins 2", "0: 0x6 1 1", "1: 0x6 0 1")
+
+
+def verdict(*lines: str) -> Verdict:
+    (found,) = hotspots(*lines)
+    return found.verdict
+
+
+def test_what_stays_is_seen_always_or_never() -> None:
+    assert verdict(*placed_cog("20 21", *STARE)) is Verdict.ALWAYS
+    assert verdict(*SHUT, *placed_cog("20 21", *STARE)) is Verdict.NEVER
+    assert verdict(*placed_cog("20 20", *STARE)) is Verdict.ALWAYS
+
+
+def test_what_a_script_can_open_or_move_varies() -> None:
+    opener = looking("activated: ClearAdjoinFlags(door, 0x1); return;", *STARE[STARE.index('code') + 1 : -1],
+                     symbols=("thing a", "thing b", "surface door"))  # fmt: skip
+    assert verdict(*SHUT, *placed_cog("20 21 3", *opener)) is Verdict.VARIES
+    mover = looking("activated: TeleportThing(a, b); return;", *STARE[STARE.index("code") + 1 : -1])
+    assert verdict(*SHUT, *placed_cog("20 21", *mover)) is Verdict.VARIES
+
+
+def test_a_solid_thing_may_stand_between() -> None:
+    crate = ["World templates 5", "crate none type=cog collide=1 size=.1"]
+    lines = placed_cog("20 21", *STARE, more=["30: crate crate .5 .9 .5 0 0 0 0"])
+    assert verdict(*crate[:1], crate[1], *lines[1:]) is Verdict.VARIES
+    assert verdict(*SHUT, *crate[:1], crate[1], *lines[1:]) is Verdict.NEVER
+
+
+def test_a_level_without_tests_of_sight_has_none() -> None:
+    assert hotspots(*placed_cog("20 21", *looking('startup: Print("x"); return;'))) == []
+
+
+def test_scripts_of_the_corpus_that_ask_for_sight_are_listed_and_no_others() -> None:
+    """Against a search of the text for the verbs, apart from the code under test."""
+    if not CORPUS.exists():
+        pytest.skip("no corpus")
+    asking = set()
+    for name, data in corpus_scripts():
+        code = re.sub(r"(#|//).*", "", data.decode("latin-1"))
+        if re.search(r"\b(haslos|firstthinginview|firstthingincone)\s*\(", code, re.IGNORECASE):
+            asking.add(name.rpartition("/")[2].lower())
+    listed = set()
+    for pack in sorted((CORPUS / "gob").glob("*")):
+        for member in discover(str(pack), [], ("jkl",)):
+            facts = LevelFacts(load(member.path))
+            placed = {runner.name for runner in facts.runners}
+            listed |= {spot.runner.name for spot in facts.hotspots}
+            assert {n for n in placed if n in asking} == {spot.runner.name for spot in facts.hotspots}
+    assert listed <= asking

@@ -1,0 +1,101 @@
+"""Motion of templates: figures of the research document, and the simulation as the second opinion."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from jktools.engine.body import WALKPLAYER
+from jktools.engine.profile import Engine
+from jktools.engine.simulation import Simulation
+from jktools.engine.thrust import Keys
+from jktools.facts.motion import FPS_RANGE, Motion, bodies, gravity_of, motions
+from tests.support.levels import level_of, two_rooms
+
+PLAYER = (
+    "walkplayer none type=player move=physics size=.065 physflags=0x4a4f mass=150 maxthrust=2 surfdrag=3 airdrag=.5 "
+    "staticdrag=.3 jumpspeed=1.5 maxvel=1"
+)
+
+
+def motion(line: str = PLAYER, *, accuracy: str = "balanced", engine: Engine = Engine.RESEARCH) -> Motion:
+    level = level_of(two_rooms("World templates 4", line))
+    name = line.split()[0]
+    (held,) = [each for each in bodies(level) if each.owner.name == name]
+    return motions([held], gravity_of(level), accuracy=accuracy, engine=engine)[0]
+
+
+def test_speeds_are_those_of_the_document() -> None:
+    found = motion()
+    # Thrust over drag: 2 / 3, half of it back and crouched, 0.7 sideways, twice running; "roughly 0.65" in Drawing 1.
+    assert found.walk == pytest.approx(2 / 3)
+    assert (found.back, found.crouch) == pytest.approx((1 / 3, 1 / 3))
+    assert (found.strafe, found.run) == pytest.approx((0.7 * 2 / 3, 4 / 3))
+    # 0.3 of the thrust against air drag 0.5: "roughly 1.2" in Drawing 3.
+    assert found.air == pytest.approx(1.2)
+    # 0.6 of the thrust against four times the air drag.
+    assert found.swim == pytest.approx(0.6)
+
+
+def test_a_jump_rises_as_the_closed_form_says() -> None:
+    found = motion()
+    # Apex with drag k: v/k - g/k^2 ln(1 + kv/g), v 1.5, g 4, k 0.5.
+    assert found.jump_height == pytest.approx(3 - 16 * math.log(1.1875), rel=1e-6)
+    assert found.crouched_jump_height == pytest.approx(2.1 - 16 * math.log(1.13125), rel=1e-6)
+    assert found.run_jump_reach > found.jump_reach > 0
+
+
+@pytest.mark.parametrize("engine", list(Engine))
+@pytest.mark.parametrize("gait", ["walk", "run"])
+def test_stopping_is_what_the_simulation_does(engine: Engine, gait: str) -> None:
+    found = motion(engine=engine)
+    speed = getattr(found, gait)
+    simulation = Simulation(WALKPLAYER, engine=engine)
+    simulation.rest_on_ground()
+    simulation.position[2] = simulation.hover_height()
+    simulation.velocity = np.array([0.0, speed, 0.0])
+    for _ in range(500):
+        simulation.tick(Keys(), 1 / 50)
+    assert not simulation.velocity.any()
+    stop = getattr(found, f"stop_{gait}")
+    assert stop.least == stop.most == pytest.approx(float(simulation.position[1]), rel=1e-12)
+
+
+def test_fast_is_near_and_exact_holds_every_frame_rate() -> None:
+    fast, balanced, exact = (motion(accuracy=each) for each in ("fast", "balanced", "exact"))
+    # From 2/3 to 0.3 at 3 a second: a ninth of a JKU and more.
+    assert fast.stop_walk.least == pytest.approx((2 / 3 - 0.3) / 3)
+    assert balanced.stop_walk.least == pytest.approx(fast.stop_walk.least, rel=0.1)
+    assert exact.stop_walk.least <= balanced.stop_walk.least <= exact.stop_walk.most
+    assert exact.stop_walk.least < exact.stop_walk.most
+    assert 50.0 in FPS_RANGE
+
+
+def test_an_actor_has_no_keys() -> None:
+    found = motion("guard none type=actor move=physics physflags=0x4f mass=1 maxthrust=.8 surfdrag=2 airdrag=.5")
+    assert found.walk == found.back == pytest.approx(0.4)
+    assert all(math.isnan(x) for x in (found.run, found.crouch, found.air, found.run_jump_reach))
+    assert found.swim == pytest.approx(0.4)
+    assert found.jump_height == 0
+
+
+def test_what_nothing_bounds_is_infinite() -> None:
+    found = motion("slider none type=player move=physics physflags=0x42 maxthrust=2 jumpspeed=1")
+    assert math.isinf(found.walk)
+    assert math.isinf(found.stop_walk.least)
+    assert math.isinf(found.jump_height)  # no mass and no gravity flag
+    assert math.isinf(found.jump_reach)
+
+
+def test_a_body_without_thrust_stays() -> None:
+    found = motion("block none type=player move=physics physflags=0x41 mass=1 maxthrust=2 surfdrag=3")
+    assert (found.walk, found.stop_walk.least) == (0, 0)
+
+
+def test_speed_is_capped_only_by_the_decompiled_engine() -> None:
+    line = PLAYER.replace("maxvel=1", "maxvel=.02")
+    # At most .02 JKU/s in a tick of 1/50 s is a thrust of 1.
+    assert motion(line, engine=Engine.OPENJKDF2).walk == pytest.approx(1 / 3)
+    assert motion(line).walk == pytest.approx(2 / 3)
