@@ -8,6 +8,7 @@ from jktools import geometry
 from jktools.engine.profile import Engine
 from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.floors import Floors
 from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_sight, runners, with_created
 from jktools.facts.movers import Mover, movers
 from jktools.facts.occluders import Occluders
@@ -15,7 +16,6 @@ from jktools.facts.openings import named_by_cogs
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
 from jktools.facts.script import ScriptFacts
-from jktools.facts.standing import Carriers
 from jktools.geometry import (
     Accuracy,
     Alignment,
@@ -96,9 +96,14 @@ class LevelFacts:
         return reach(self.level, self.script)
 
     @cached_property
-    def carriers(self) -> Carriers:
-        """The things that bodies can stand on."""
-        return Carriers(self.level)
+    def floors(self) -> Floors:
+        """The things that bodies stand on, at all their places."""
+        return Floors.of(self.level)
+
+    @cached_property
+    def bare_floors(self) -> Floors:
+        """None of them."""
+        return Floors()
 
     @cached_property
     def movers(self) -> list[Mover]:
@@ -120,11 +125,6 @@ class LevelFacts:
         if engine not in self._sight_faces:
             self._sight_faces[engine] = SightFaces(self.level, engine)
         return self._sight_faces[engine]
-
-    @cached_property
-    def openable(self) -> frozenset[int]:
-        """The same as `openable_surfaces`, to look one up."""
-        return frozenset(self.openable_surfaces.tolist())
 
     @cached_property
     def openable_surfaces(self) -> Int32:

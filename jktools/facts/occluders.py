@@ -75,6 +75,8 @@ class Occluders:
         self.level = level
         self.named = named_things(level)
         self.things = tuple(thing for thing in level.things if _is_solid(thing, Engine.RESEARCH))
+        self.place = {thing.index: i for i, thing in enumerate(self.things)}
+        """Where a thing stands in `things`, by its index."""
         self.unjudged = tuple(
             thing
             for thing in level.things

@@ -64,7 +64,7 @@ def scene(facts: LevelFacts, a: str, b: str, engine: Engine = Engine.RESEARCH, *
     once its own sphere is reached, even if its centre lies in a wall. Whether a segment meets a wall, a sphere or a
     face is exact; in `research`, where a wall or a face and the target's sphere lie within rounding of each other,
     their order is that of the rounded figures. A verdict varies where it hangs on things that may be elsewhere, or on
-    surfaces that COGs may open or close (`LevelFacts.openable_surfaces`). What may come into the way later is not
+    surfaces that COGs may open or close (`LevelFacts.changeable_surfaces`). What may come into the way later is not
     foreseen. In `openjkdf2` an end that is a number and no thing of the level is the null thing.
     """
     if engine is Engine.RESEARCH:
@@ -91,7 +91,7 @@ def _judged(
     reached = own is not None and (wall is None or not wall.before(own))
     limit = own if reached else wall
     met = _met(facts, line, limit, way, engine) if things else []
-    openable = _openable(facts, line, limit, way)
+    openable = _openable(facts, line, own if reached else None, way)
     unjudged = len([one for one in facts.occluders.unjudged if one not in _end_things(line)]) if things else 0
     sectors = {line.explanation.steps[-1].sector, *([line.target.sector] if line.target.sector >= 0 else [])}
     touching = tuple(facts.sight_faces(engine).touched(sorted(sectors), end))
@@ -111,17 +111,24 @@ def _met(facts: LevelFacts, line: Sightline, limit: Along | None, way: Way | Non
     return sorted(met, key=lambda found: _ORDER(found.at))
 
 
-def _openable(facts: LevelFacts, line: Sightline, limit: Along | None, way: Way | None) -> tuple[int, ...]:
-    """The surfaces on the way that a COG may make see-through or solid, as far as that decides anything."""
-    named, level = facts.openable, facts.level
+def _openable(facts: LevelFacts, line: Sightline, body: Along | None, way: Way | None) -> tuple[int, ...]:
+    """The surfaces that a COG may make see-through or solid, as far as that decides anything.
+
+    Where a wall ends the way that is the wall alone: what shuts before it changes nothing. `body` is where the way
+    meets the target's own.
+    """
+    named, level = facts.changeable_surfaces, facts.level
     steps = line.explanation.steps
-    last = 1.0 if limit is None else float(limit)
-    on_way = [step.surface for step in steps if step.surface >= 0 and step.leave <= last]
+    if line.explanation.visible or body is not None:
+        last = 1.0 if body is None else float(body)
+        deciding = [step.surface for step in steps if step.surface >= 0 and step.leave <= last]
+    else:
+        deciding = [steps[-1].surface]
     if way is None:  # without an adjoin a surface blocks for ever
-        return tuple(s for s in on_way if s in named and level.surfaces[s].adjoin is not None)
+        return tuple(s for s in deciding if s in named and level.surfaces[s].adjoin is not None)
     if line.explanation.visible and way.cut is None:
-        on_way += facts.sight_faces(Engine.OPENJKDF2).holes(steps[-1].sector, *_points(line))
-    return tuple(s for s in on_way if s in named)
+        deciding += facts.sight_faces(Engine.OPENJKDF2).holes(steps[-1].sector, *_points(line))
+    return tuple(s for s in deciding if s in named)
 
 
 def _verdict(*, walled: bool, met: list[Meeting], openable: tuple[int, ...]) -> Verdict:

@@ -154,7 +154,8 @@ def among(*things: str, templates: tuple[str, ...] = (), named: int = 99) -> Lev
     lines = (f"{i}: {line}" for i, line in enumerate(things))
     return level_of(
         two_rooms(
-            "World cogs 1", f"0: door.cog {named} -1 wind.wav", "World templates 9", *kinds, f"World things {len(things)}",
+            "World cogs 1", f"0: door.cog {named} -1 wind.wav", "World templates 9", *kinds,
+            f"World things {len(things)}",
             "- 0: walkplayer walkplayer .5 .5 .2 0 0 0 0", "- 1: ghost ghost .5 1.5 .5 0 90 0 1", *lines,
         )
     )  # fmt: skip

@@ -175,7 +175,7 @@ def test_a_start_needs_a_floor_unless_it_swims_or_is_carried() -> None:
         "thing 0 (walkplayer) starts a player, but surface 0 (sector 0, surface 0) below has no floor flag (0x1)"
     ]
     assert messages("JK420", *bare, "Sector 0", "Flags 0x2") == []
-    carried = ("World templates 4", "bridge none type=cog size=.3 thingflags=0x40", "World things 4")
+    carried = ("World templates 4", "bridge none type=cog collide=3 size=.3 thingflags=0x40", "World things 4")
     assert messages("JK420", *bare, *carried, "2: bridge bridge .6 .5 .1 0 0 0 0") == []
     assert len(messages("JK420", *bare, *carried, "2: bridge bridge .6 1.5 .1 0 0 0 1")) == 1
 
