@@ -14,8 +14,8 @@ from jktools.engine import orientation
 from jktools.facts.floors import PLACED, Ball, Floors, Platform
 from jktools.facts.level import LevelFacts
 from jktools.geometry import Ending
-from jktools.model import Level
 from jktools.geometry.rest_pose import rest_pose
+from jktools.model import Level
 from jktools.session import load
 from tests.geometry.test_engine_scene import PLATE
 from tests.support.levels import CORPUS, two_rooms
