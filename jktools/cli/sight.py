@@ -20,8 +20,8 @@ from jktools.session.settings import Game
 @click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
 @click.option(
     "--engine",
-    type=click.Choice(list(Engine)),
-    default=Engine.RESEARCH,
+    type=click.Choice([str(each) for each in Engine]),
+    default=str(Engine.RESEARCH),
     show_default=True,
     help="The research document's rules, or those of the decompiled engine.",
 )

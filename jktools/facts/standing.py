@@ -8,10 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from jktools.engine.flags import SectorFlag, SurfaceFlag
-from jktools.engine.ground import TOUCH, Vector
+from jktools.engine.ground import Vector
 from jktools.facts.floors import Floors
 from jktools.geometry import Ending, SectorMesh
-from jktools.geometry.collision import Collision
+from jktools.geometry.collision import SEAM, Collision
 from jktools.geometry.sphere import Path, distance
 from jktools.model import Level, Thing
 
@@ -37,6 +37,7 @@ def bodies(level: Level) -> list[Thing]:
         if (held := thing.resolved).type in BODIES
         and held.move == "physics"
         and thing.dropped is None
+        and np.isfinite(thing.position).all()
         and level.sound_sectors[thing.sector_index]
     ]
 
@@ -71,7 +72,8 @@ def unsupported(level: Level, mesh: SectorMesh, floors: Floors, things: Sequence
 
     None for one that stands, that need not, or of which that is not known: above a floor, a thing that carries at one
     of its places, water or a sector that could not be read, and where there is thrust or no gravity at either end of
-    the way. A body as little as TOUCH below its floor stands on it.
+    the way. A body as little as SEAM below its floor stands on it, and so does one above a floor of the sector that it
+    lies in, where that is not the one which it names (on a border, by the rounding of its place).
     """
     if not things:
         return []
@@ -79,10 +81,13 @@ def unsupported(level: Level, mesh: SectorMesh, floors: Floors, things: Sequence
     sectors = np.array([thing.sector_index for thing in things], np.int32)
     own = np.array([thing.index for thing in things], np.int64)
     here = floors.below(mesh, points, sectors, own=own)
-    raised = floors.below(mesh, np.add(points, (0.0, 0.0, TOUCH)), sectors, TOUCH, own=own)
+    raised = floors.below(mesh, np.add(points, (0.0, 0.0, SEAM)), sectors, SEAM, own=own)
+    located = mesh.locate(points)
+    within = floors.below(mesh, points, np.where(located < 0, sectors, located), own=own)
+    stands = (raised.ending == Ending.FLOOR) | (within.ending == Ending.FLOOR)
     flags = level.document.sectors.flags
     floats = ((flags[sectors] | flags[here.sector]) & _BEARS_OTHERWISE) != 0
-    fell = np.isin(here.ending, (Ending.SOLID, Ending.NOTHING)) & (raised.ending != Ending.FLOOR)
+    fell = np.isin(here.ending, (Ending.SOLID, Ending.NOTHING)) & ~stands
     falls = fell & (here.other < 0) & ~floats
     return [
         Under(int(met) if met >= 0 else None) if falling else None

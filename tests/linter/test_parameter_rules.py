@@ -180,6 +180,21 @@ def test_a_start_needs_a_floor_unless_it_swims_or_is_carried() -> None:
     assert len(messages("JK420", *bare, *carried, "2: bridge bridge .6 1.5 .1 0 0 0 1")) == 1
 
 
+@pytest.mark.parametrize(
+    ("place", "told"),
+    [
+        (".5 .5 0", 0),  # on the floor
+        (".5 .5 -.000005", 0),
+        (".5 .5 -.00002", 1),
+        (".5 1.2 .5", 0),  # in the room next to the one that it names
+        ("5 5 5", 1),
+        ("1e99 5 5", 0),
+    ],
+)
+def test_a_start_stands_on_the_floor_of_the_sector_that_it_lies_in(place: str, told: int) -> None:
+    assert len(messages("JK420", "World things 3", f"0: walkplayer walkplayer {place} 0 0 0 0")) == told
+
+
 def test_frames_are_looked_for_where_they_lie() -> None:
     line = "1: crate crate .5 .5 .5 0 0 0 0 move=path numframes=2 frame=({first}:0/0/0) frame=({last}:0/0/0)"
     assert marked("JK421", "World things 3", line.format(first=".5/.5/.5", last=".5/.5/1.5")) == [
