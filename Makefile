@@ -42,6 +42,7 @@ bench: $(VENV)/built
 	python -m benchmarks.bench_sight
 	python -m benchmarks.bench_drop
 	python -m benchmarks.bench_visibility
+	python -m benchmarks.bench_ledges
 
 # The tests that grow with the time they are given: every corpus level, thousands of random faults, a million queries.
 fuzz: $(VENV)/built
@@ -51,6 +52,8 @@ fuzz: $(VENV)/built
 	python -m benchmarks.drop_disagreement --queries 1000000
 	python -m benchmarks.visibility_missed --level azulcity --each 2000
 	python -m benchmarks.visibility_missed --each 20
+	python -m benchmarks.ledge_disagreement --places 20000
+	python -m benchmarks.ledge_tiers
 
 fresh:
 	tests/fresh.sh

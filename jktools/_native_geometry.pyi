@@ -8,6 +8,29 @@ import numpy
 from numpy.typing import NDArray
 
 
+class Strides:
+    """A level's sectors as walking bodies meet them; immutable."""
+
+    def __init__(self, positions: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], surface_start: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], surface_vertex: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], passes_to: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], under_water: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu', writable=False)], sector_first: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], sector_count: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> None:
+        """
+        Copy and check the mesh: positions (3n,) float64, JKU; under_water uint8; the rest int32.
+
+        passes_to is the sector behind each surface, -1 for one that carries where it faces up, -2 for another
+        that stops bodies, -3 for one that they do not meet. Raises ValueError naming the index that is out of
+        bounds.
+        """
+
+    def floors(self) -> Annotated[NDArray[numpy.uint8], dict(shape=(None,))]:
+        """Answer uint8, one entry a surface: whether bodies stand on it."""
+
+    def ledges(self, surface: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], corner: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], hover: float, radius: float, rise: float, rises: int, samples: int, threads: int) -> tuple[Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.float64], dict(shape=(None,))], Annotated[NDArray[numpy.float64], dict(shape=(None,))], Annotated[NDArray[numpy.uint8], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.float64], dict(shape=(None,))], Annotated[NDArray[numpy.float64], dict(shape=(None,))], Annotated[NDArray[numpy.int32], dict(shape=(None,))], Annotated[NDArray[numpy.float64], dict(shape=(None,))], Annotated[NDArray[numpy.float64], dict(shape=(None,))]]:
+        """
+        Answer (edge, start, end, over, met, sector, drop0, drop1, rise, past, far_off), one entry an interval.
+
+        What lies beyond edge corner[i] of floor surface[i], int32. native/geometry/ledges.hpp says what each
+        holds; int32, float64, and uint8 for over. Raises ValueError naming the row that is out of bounds.
+        """
+
 class Viewer:
     """A level's sectors made ready for sight queries; immutable."""
 

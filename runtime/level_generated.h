@@ -63,6 +63,12 @@ struct ColourEffectsBuilder;
 struct Motion;
 struct MotionBuilder;
 
+struct Ledges;
+struct LedgesBuilder;
+
+struct Basins;
+struct BasinsBuilder;
+
 struct Level;
 struct LevelBuilder;
 
@@ -2927,6 +2933,492 @@ inline ::flatbuffers::Offset<Motion> CreateMotionDirect(
       run_jump_reach__);
 }
 
+/// What walking bodies meet beyond the edges of floors. An edge that is not listed is level: the floor goes on.
+struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef LedgesBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_BODY_MOVESIZE = 4,
+    VT_BODY_HOVER = 6,
+    VT_BODY_REATTACH = 8,
+    VT_BODY_STEP = 10,
+    VT_BODY_JUMP = 12,
+    VT_BODY_PHYSICS_FLAGS = 14,
+    VT_BODY_PLAYER = 16,
+    VT_BODY_NAME_START = 18,
+    VT_BODY_NAME = 20,
+    VT_BODY_LEDGE_START = 22,
+    VT_SURFACE = 24,
+    VT_CORNER = 26,
+    VT_START = 28,
+    VT_END = 30,
+    VT_KIND = 32,
+    VT_OTHER_KIND = 34,
+    VT_BELOW = 36,
+    VT_THING = 38,
+    VT_DROP_START = 40,
+    VT_DROP_END = 42,
+    VT_TRAITS = 44
+  };
+  /// The distinct bodies. A body whose hover height is not known (NaN) has no ledges and no basins.
+  const ::flatbuffers::Vector<float> *body_movesize() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_MOVESIZE);
+  }
+  const ::flatbuffers::Vector<float> *body_hover() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_HOVER);
+  }
+  /// The deepest drop without a fall, the highest step and the highest jump, JKU from floor to floor.
+  const ::flatbuffers::Vector<float> *body_reattach() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_REATTACH);
+  }
+  const ::flatbuffers::Vector<float> *body_step() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_STEP);
+  }
+  const ::flatbuffers::Vector<float> *body_jump() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_JUMP);
+  }
+  const ::flatbuffers::Vector<uint32_t> *body_physics_flags() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_PHYSICS_FLAGS);
+  }
+  /// 1 for a player, 0 for an actor.
+  const ::flatbuffers::Vector<uint8_t> *body_player() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_BODY_PLAYER);
+  }
+  /// The templates that have this body.
+  const ::flatbuffers::Vector<uint32_t> *body_name_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_NAME_START);
+  }
+  const ::flatbuffers::Vector<uint32_t> *body_name() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_NAME);
+  }
+  /// The intervals of each body, by surface, corner and start.
+  const ::flatbuffers::Vector<uint32_t> *body_ledge_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_LEDGE_START);
+  }
+  const ::flatbuffers::Vector<int32_t> *surface() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE);
+  }
+  /// The edge goes from this corner of the surface to the following one.
+  const ::flatbuffers::Vector<uint8_t> *corner() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_CORNER);
+  }
+  /// 0 .. 1 along the edge.
+  const ::flatbuffers::Vector<float> *start() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_START);
+  }
+  const ::flatbuffers::Vector<float> *end() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_END);
+  }
+  /// 0 level, 1 seamless, 2 fall, 3 water, 4 none, 5 step, 6 lip, 7 jump, 8 wall, 9 unknown.
+  const ::flatbuffers::Vector<uint8_t> *kind() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_KIND);
+  }
+  /// The same by the other engine profile.
+  const ::flatbuffers::Vector<uint8_t> *other_kind() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_OTHER_KIND);
+  }
+  /// The surface come onto, or that blocks.
+  const ::flatbuffers::Vector<int32_t> *below() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_BELOW);
+  }
+  /// Source index of the thing that makes it unknown, or -1.
+  const ::flatbuffers::Vector<int32_t> *thing() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_THING);
+  }
+  /// From the edge down at start and end, JKU; NaN for none.
+  const ::flatbuffers::Vector<float> *drop_start() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_DROP_START);
+  }
+  const ::flatbuffers::Vector<float> *drop_end() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_DROP_END);
+  }
+  /// 0x1 the place below is narrower than the body, 0x2 the engine's AI stops.
+  const ::flatbuffers::Vector<uint8_t> *traits() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_TRAITS);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_BODY_MOVESIZE) &&
+           verifier.VerifyVector(body_movesize()) &&
+           VerifyOffset(verifier, VT_BODY_HOVER) &&
+           verifier.VerifyVector(body_hover()) &&
+           VerifyOffset(verifier, VT_BODY_REATTACH) &&
+           verifier.VerifyVector(body_reattach()) &&
+           VerifyOffset(verifier, VT_BODY_STEP) &&
+           verifier.VerifyVector(body_step()) &&
+           VerifyOffset(verifier, VT_BODY_JUMP) &&
+           verifier.VerifyVector(body_jump()) &&
+           VerifyOffset(verifier, VT_BODY_PHYSICS_FLAGS) &&
+           verifier.VerifyVector(body_physics_flags()) &&
+           VerifyOffset(verifier, VT_BODY_PLAYER) &&
+           verifier.VerifyVector(body_player()) &&
+           VerifyOffset(verifier, VT_BODY_NAME_START) &&
+           verifier.VerifyVector(body_name_start()) &&
+           VerifyOffset(verifier, VT_BODY_NAME) &&
+           verifier.VerifyVector(body_name()) &&
+           VerifyOffset(verifier, VT_BODY_LEDGE_START) &&
+           verifier.VerifyVector(body_ledge_start()) &&
+           VerifyOffset(verifier, VT_SURFACE) &&
+           verifier.VerifyVector(surface()) &&
+           VerifyOffset(verifier, VT_CORNER) &&
+           verifier.VerifyVector(corner()) &&
+           VerifyOffset(verifier, VT_START) &&
+           verifier.VerifyVector(start()) &&
+           VerifyOffset(verifier, VT_END) &&
+           verifier.VerifyVector(end()) &&
+           VerifyOffset(verifier, VT_KIND) &&
+           verifier.VerifyVector(kind()) &&
+           VerifyOffset(verifier, VT_OTHER_KIND) &&
+           verifier.VerifyVector(other_kind()) &&
+           VerifyOffset(verifier, VT_BELOW) &&
+           verifier.VerifyVector(below()) &&
+           VerifyOffset(verifier, VT_THING) &&
+           verifier.VerifyVector(thing()) &&
+           VerifyOffset(verifier, VT_DROP_START) &&
+           verifier.VerifyVector(drop_start()) &&
+           VerifyOffset(verifier, VT_DROP_END) &&
+           verifier.VerifyVector(drop_end()) &&
+           VerifyOffset(verifier, VT_TRAITS) &&
+           verifier.VerifyVector(traits()) &&
+           verifier.EndTable();
+  }
+};
+
+struct LedgesBuilder {
+  typedef Ledges Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_body_movesize(::flatbuffers::Offset<::flatbuffers::Vector<float>> body_movesize) {
+    fbb_.AddOffset(Ledges::VT_BODY_MOVESIZE, body_movesize);
+  }
+  void add_body_hover(::flatbuffers::Offset<::flatbuffers::Vector<float>> body_hover) {
+    fbb_.AddOffset(Ledges::VT_BODY_HOVER, body_hover);
+  }
+  void add_body_reattach(::flatbuffers::Offset<::flatbuffers::Vector<float>> body_reattach) {
+    fbb_.AddOffset(Ledges::VT_BODY_REATTACH, body_reattach);
+  }
+  void add_body_step(::flatbuffers::Offset<::flatbuffers::Vector<float>> body_step) {
+    fbb_.AddOffset(Ledges::VT_BODY_STEP, body_step);
+  }
+  void add_body_jump(::flatbuffers::Offset<::flatbuffers::Vector<float>> body_jump) {
+    fbb_.AddOffset(Ledges::VT_BODY_JUMP, body_jump);
+  }
+  void add_body_physics_flags(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> body_physics_flags) {
+    fbb_.AddOffset(Ledges::VT_BODY_PHYSICS_FLAGS, body_physics_flags);
+  }
+  void add_body_player(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> body_player) {
+    fbb_.AddOffset(Ledges::VT_BODY_PLAYER, body_player);
+  }
+  void add_body_name_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> body_name_start) {
+    fbb_.AddOffset(Ledges::VT_BODY_NAME_START, body_name_start);
+  }
+  void add_body_name(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> body_name) {
+    fbb_.AddOffset(Ledges::VT_BODY_NAME, body_name);
+  }
+  void add_body_ledge_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> body_ledge_start) {
+    fbb_.AddOffset(Ledges::VT_BODY_LEDGE_START, body_ledge_start);
+  }
+  void add_surface(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> surface) {
+    fbb_.AddOffset(Ledges::VT_SURFACE, surface);
+  }
+  void add_corner(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> corner) {
+    fbb_.AddOffset(Ledges::VT_CORNER, corner);
+  }
+  void add_start(::flatbuffers::Offset<::flatbuffers::Vector<float>> start) {
+    fbb_.AddOffset(Ledges::VT_START, start);
+  }
+  void add_end(::flatbuffers::Offset<::flatbuffers::Vector<float>> end) {
+    fbb_.AddOffset(Ledges::VT_END, end);
+  }
+  void add_kind(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> kind) {
+    fbb_.AddOffset(Ledges::VT_KIND, kind);
+  }
+  void add_other_kind(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> other_kind) {
+    fbb_.AddOffset(Ledges::VT_OTHER_KIND, other_kind);
+  }
+  void add_below(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> below) {
+    fbb_.AddOffset(Ledges::VT_BELOW, below);
+  }
+  void add_thing(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> thing) {
+    fbb_.AddOffset(Ledges::VT_THING, thing);
+  }
+  void add_drop_start(::flatbuffers::Offset<::flatbuffers::Vector<float>> drop_start) {
+    fbb_.AddOffset(Ledges::VT_DROP_START, drop_start);
+  }
+  void add_drop_end(::flatbuffers::Offset<::flatbuffers::Vector<float>> drop_end) {
+    fbb_.AddOffset(Ledges::VT_DROP_END, drop_end);
+  }
+  void add_traits(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> traits) {
+    fbb_.AddOffset(Ledges::VT_TRAITS, traits);
+  }
+  explicit LedgesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Ledges> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Ledges>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Ledges> CreateLedges(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> body_movesize = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> body_hover = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> body_reattach = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> body_step = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> body_jump = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> body_physics_flags = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> body_player = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> body_name_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> body_name = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> body_ledge_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> surface = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> corner = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> end = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> kind = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> other_kind = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> below = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> thing = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> drop_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> drop_end = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> traits = 0) {
+  LedgesBuilder builder_(_fbb);
+  builder_.add_traits(traits);
+  builder_.add_drop_end(drop_end);
+  builder_.add_drop_start(drop_start);
+  builder_.add_thing(thing);
+  builder_.add_below(below);
+  builder_.add_other_kind(other_kind);
+  builder_.add_kind(kind);
+  builder_.add_end(end);
+  builder_.add_start(start);
+  builder_.add_corner(corner);
+  builder_.add_surface(surface);
+  builder_.add_body_ledge_start(body_ledge_start);
+  builder_.add_body_name(body_name);
+  builder_.add_body_name_start(body_name_start);
+  builder_.add_body_player(body_player);
+  builder_.add_body_physics_flags(body_physics_flags);
+  builder_.add_body_jump(body_jump);
+  builder_.add_body_step(body_step);
+  builder_.add_body_reattach(body_reattach);
+  builder_.add_body_hover(body_hover);
+  builder_.add_body_movesize(body_movesize);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<float> *body_movesize = nullptr,
+    const std::vector<float> *body_hover = nullptr,
+    const std::vector<float> *body_reattach = nullptr,
+    const std::vector<float> *body_step = nullptr,
+    const std::vector<float> *body_jump = nullptr,
+    const std::vector<uint32_t> *body_physics_flags = nullptr,
+    const std::vector<uint8_t> *body_player = nullptr,
+    const std::vector<uint32_t> *body_name_start = nullptr,
+    const std::vector<uint32_t> *body_name = nullptr,
+    const std::vector<uint32_t> *body_ledge_start = nullptr,
+    const std::vector<int32_t> *surface = nullptr,
+    const std::vector<uint8_t> *corner = nullptr,
+    const std::vector<float> *start = nullptr,
+    const std::vector<float> *end = nullptr,
+    const std::vector<uint8_t> *kind = nullptr,
+    const std::vector<uint8_t> *other_kind = nullptr,
+    const std::vector<int32_t> *below = nullptr,
+    const std::vector<int32_t> *thing = nullptr,
+    const std::vector<float> *drop_start = nullptr,
+    const std::vector<float> *drop_end = nullptr,
+    const std::vector<uint8_t> *traits = nullptr) {
+  auto body_movesize__ = body_movesize ? _fbb.CreateVector<float>(*body_movesize) : 0;
+  auto body_hover__ = body_hover ? _fbb.CreateVector<float>(*body_hover) : 0;
+  auto body_reattach__ = body_reattach ? _fbb.CreateVector<float>(*body_reattach) : 0;
+  auto body_step__ = body_step ? _fbb.CreateVector<float>(*body_step) : 0;
+  auto body_jump__ = body_jump ? _fbb.CreateVector<float>(*body_jump) : 0;
+  auto body_physics_flags__ = body_physics_flags ? _fbb.CreateVector<uint32_t>(*body_physics_flags) : 0;
+  auto body_player__ = body_player ? _fbb.CreateVector<uint8_t>(*body_player) : 0;
+  auto body_name_start__ = body_name_start ? _fbb.CreateVector<uint32_t>(*body_name_start) : 0;
+  auto body_name__ = body_name ? _fbb.CreateVector<uint32_t>(*body_name) : 0;
+  auto body_ledge_start__ = body_ledge_start ? _fbb.CreateVector<uint32_t>(*body_ledge_start) : 0;
+  auto surface__ = surface ? _fbb.CreateVector<int32_t>(*surface) : 0;
+  auto corner__ = corner ? _fbb.CreateVector<uint8_t>(*corner) : 0;
+  auto start__ = start ? _fbb.CreateVector<float>(*start) : 0;
+  auto end__ = end ? _fbb.CreateVector<float>(*end) : 0;
+  auto kind__ = kind ? _fbb.CreateVector<uint8_t>(*kind) : 0;
+  auto other_kind__ = other_kind ? _fbb.CreateVector<uint8_t>(*other_kind) : 0;
+  auto below__ = below ? _fbb.CreateVector<int32_t>(*below) : 0;
+  auto thing__ = thing ? _fbb.CreateVector<int32_t>(*thing) : 0;
+  auto drop_start__ = drop_start ? _fbb.CreateVector<float>(*drop_start) : 0;
+  auto drop_end__ = drop_end ? _fbb.CreateVector<float>(*drop_end) : 0;
+  auto traits__ = traits ? _fbb.CreateVector<uint8_t>(*traits) : 0;
+  return jktools::CreateLedges(
+      _fbb,
+      body_movesize__,
+      body_hover__,
+      body_reattach__,
+      body_step__,
+      body_jump__,
+      body_physics_flags__,
+      body_player__,
+      body_name_start__,
+      body_name__,
+      body_ledge_start__,
+      surface__,
+      corner__,
+      start__,
+      end__,
+      kind__,
+      other_kind__,
+      below__,
+      thing__,
+      drop_start__,
+      drop_end__,
+      traits__);
+}
+
+/// Floors that a body can come down to and whose every way out goes up.
+struct Basins FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef BasinsBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_BODY = 4,
+    VT_SURFACE_START = 6,
+    VT_SURFACE = 8,
+    VT_SHALLOWEST = 10,
+    VT_DEEPEST = 12,
+    VT_ENTERED = 14,
+    VT_LEFT = 16
+  };
+  const ::flatbuffers::Vector<int32_t> *body() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_BODY);
+  }
+  const ::flatbuffers::Vector<uint32_t> *surface_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SURFACE_START);
+  }
+  const ::flatbuffers::Vector<int32_t> *surface() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE);
+  }
+  /// Least and greatest height of the edges that lead in over the floors, JKU.
+  const ::flatbuffers::Vector<float> *shallowest() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SHALLOWEST);
+  }
+  const ::flatbuffers::Vector<float> *deepest() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_DEEPEST);
+  }
+  /// 0x1 walk, 0x2 fall, 0x4 jump, 0x8 a player starts there.
+  const ::flatbuffers::Vector<uint8_t> *entered() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_ENTERED);
+  }
+  /// 0x1 walk, 0x2 jump, 0x4 mover, 0x8 water, 0x10 deadly, 0x20 unknown; 0: inescapable unless a player starts there.
+  const ::flatbuffers::Vector<uint8_t> *left() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_LEFT);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_BODY) &&
+           verifier.VerifyVector(body()) &&
+           VerifyOffset(verifier, VT_SURFACE_START) &&
+           verifier.VerifyVector(surface_start()) &&
+           VerifyOffset(verifier, VT_SURFACE) &&
+           verifier.VerifyVector(surface()) &&
+           VerifyOffset(verifier, VT_SHALLOWEST) &&
+           verifier.VerifyVector(shallowest()) &&
+           VerifyOffset(verifier, VT_DEEPEST) &&
+           verifier.VerifyVector(deepest()) &&
+           VerifyOffset(verifier, VT_ENTERED) &&
+           verifier.VerifyVector(entered()) &&
+           VerifyOffset(verifier, VT_LEFT) &&
+           verifier.VerifyVector(left()) &&
+           verifier.EndTable();
+  }
+};
+
+struct BasinsBuilder {
+  typedef Basins Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_body(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> body) {
+    fbb_.AddOffset(Basins::VT_BODY, body);
+  }
+  void add_surface_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> surface_start) {
+    fbb_.AddOffset(Basins::VT_SURFACE_START, surface_start);
+  }
+  void add_surface(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> surface) {
+    fbb_.AddOffset(Basins::VT_SURFACE, surface);
+  }
+  void add_shallowest(::flatbuffers::Offset<::flatbuffers::Vector<float>> shallowest) {
+    fbb_.AddOffset(Basins::VT_SHALLOWEST, shallowest);
+  }
+  void add_deepest(::flatbuffers::Offset<::flatbuffers::Vector<float>> deepest) {
+    fbb_.AddOffset(Basins::VT_DEEPEST, deepest);
+  }
+  void add_entered(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> entered) {
+    fbb_.AddOffset(Basins::VT_ENTERED, entered);
+  }
+  void add_left(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> left) {
+    fbb_.AddOffset(Basins::VT_LEFT, left);
+  }
+  explicit BasinsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Basins> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Basins>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Basins> CreateBasins(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> body = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> surface_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> surface = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> shallowest = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> deepest = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> entered = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> left = 0) {
+  BasinsBuilder builder_(_fbb);
+  builder_.add_left(left);
+  builder_.add_entered(entered);
+  builder_.add_deepest(deepest);
+  builder_.add_shallowest(shallowest);
+  builder_.add_surface(surface);
+  builder_.add_surface_start(surface_start);
+  builder_.add_body(body);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Basins> CreateBasinsDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<int32_t> *body = nullptr,
+    const std::vector<uint32_t> *surface_start = nullptr,
+    const std::vector<int32_t> *surface = nullptr,
+    const std::vector<float> *shallowest = nullptr,
+    const std::vector<float> *deepest = nullptr,
+    const std::vector<uint8_t> *entered = nullptr,
+    const std::vector<uint8_t> *left = nullptr) {
+  auto body__ = body ? _fbb.CreateVector<int32_t>(*body) : 0;
+  auto surface_start__ = surface_start ? _fbb.CreateVector<uint32_t>(*surface_start) : 0;
+  auto surface__ = surface ? _fbb.CreateVector<int32_t>(*surface) : 0;
+  auto shallowest__ = shallowest ? _fbb.CreateVector<float>(*shallowest) : 0;
+  auto deepest__ = deepest ? _fbb.CreateVector<float>(*deepest) : 0;
+  auto entered__ = entered ? _fbb.CreateVector<uint8_t>(*entered) : 0;
+  auto left__ = left ? _fbb.CreateVector<uint8_t>(*left) : 0;
+  return jktools::CreateBasins(
+      _fbb,
+      body__,
+      surface_start__,
+      surface__,
+      shallowest__,
+      deepest__,
+      entered__,
+      left__);
+}
+
 struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef LevelBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
@@ -2950,7 +3442,9 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_LIGHTS = 38,
     VT_PARTICLES = 40,
     VT_COLOUR_EFFECTS = 42,
-    VT_MOTION = 44
+    VT_MOTION = 44,
+    VT_LEDGES = 46,
+    VT_BASINS = 48
   };
   /// Readers refuse a file whose major version they do not know.
   uint16_t format_major() const {
@@ -3018,6 +3512,12 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Motion *motion() const {
     return GetPointer<const jktools::Motion *>(VT_MOTION);
   }
+  const jktools::Ledges *ledges() const {
+    return GetPointer<const jktools::Ledges *>(VT_LEDGES);
+  }
+  const jktools::Basins *basins() const {
+    return GetPointer<const jktools::Basins *>(VT_BASINS);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -3065,6 +3565,10 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyTable(colour_effects()) &&
            VerifyOffset(verifier, VT_MOTION) &&
            verifier.VerifyTable(motion()) &&
+           VerifyOffset(verifier, VT_LEDGES) &&
+           verifier.VerifyTable(ledges()) &&
+           VerifyOffset(verifier, VT_BASINS) &&
+           verifier.VerifyTable(basins()) &&
            verifier.EndTable();
   }
 };
@@ -3136,6 +3640,12 @@ struct LevelBuilder {
   void add_motion(::flatbuffers::Offset<jktools::Motion> motion) {
     fbb_.AddOffset(Level::VT_MOTION, motion);
   }
+  void add_ledges(::flatbuffers::Offset<jktools::Ledges> ledges) {
+    fbb_.AddOffset(Level::VT_LEDGES, ledges);
+  }
+  void add_basins(::flatbuffers::Offset<jktools::Basins> basins) {
+    fbb_.AddOffset(Level::VT_BASINS, basins);
+  }
   explicit LevelBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -3175,8 +3685,12 @@ inline ::flatbuffers::Offset<Level> CreateLevel(
     ::flatbuffers::Offset<jktools::Lights> lights = 0,
     ::flatbuffers::Offset<jktools::Particles> particles = 0,
     ::flatbuffers::Offset<jktools::ColourEffects> colour_effects = 0,
-    ::flatbuffers::Offset<jktools::Motion> motion = 0) {
+    ::flatbuffers::Offset<jktools::Motion> motion = 0,
+    ::flatbuffers::Offset<jktools::Ledges> ledges = 0,
+    ::flatbuffers::Offset<jktools::Basins> basins = 0) {
   LevelBuilder builder_(_fbb);
+  builder_.add_basins(basins);
+  builder_.add_ledges(ledges);
   builder_.add_motion(motion);
   builder_.add_colour_effects(colour_effects);
   builder_.add_particles(particles);
@@ -3223,7 +3737,9 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
     ::flatbuffers::Offset<jktools::Lights> lights = 0,
     ::flatbuffers::Offset<jktools::Particles> particles = 0,
     ::flatbuffers::Offset<jktools::ColourEffects> colour_effects = 0,
-    ::flatbuffers::Offset<jktools::Motion> motion = 0) {
+    ::flatbuffers::Offset<jktools::Motion> motion = 0,
+    ::flatbuffers::Offset<jktools::Ledges> ledges = 0,
+    ::flatbuffers::Offset<jktools::Basins> basins = 0) {
   auto tool_version__ = tool_version ? _fbb.CreateString(tool_version) : 0;
   auto checksum__ = checksum ? _fbb.CreateVector<uint8_t>(*checksum) : 0;
   auto inputs__ = inputs ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Input>>(*inputs) : 0;
@@ -3252,7 +3768,9 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
       lights,
       particles,
       colour_effects,
-      motion);
+      motion,
+      ledges,
+      basins);
 }
 
 inline const jktools::Level *GetLevel(const void *buf) {

@@ -12,6 +12,8 @@ from jktools.cli.progress import progress
 from jktools.cli.status import Status
 from jktools.compiler import CHOICES, CompileSettings
 from jktools.emit.printable import printable
+from jktools.engine.profile import Engine
+from jktools.geometry.mesh import Accuracy
 from jktools.session import build_all
 from jktools.session.settings import Game
 
@@ -31,6 +33,18 @@ _PASS = click.Choice(CHOICES)
 @click.option("--only", multiple=True, type=_PASS, metavar="PASS", help="Run this pass and those that it needs.")
 @click.option("--skip", multiple=True, type=_PASS, metavar="PASS", help="Do not run this pass.")
 @click.option("--keep-going", is_flag=True, help="Leave out the section of a pass that fails, and compile the rest.")
+@click.option(
+    "--engine", type=click.Choice([e.value for e in Engine]), default=Engine.RESEARCH.value, show_default=True,
+    help="Whose word counts: the research document's, or the decompiled engine's.",
+)  # fmt: skip
+@click.option(
+    "--accuracy", type=click.Choice(["fast", "balanced", "exact"]), default="balanced", show_default=True,
+    help="How true and how slow what is computed is.",
+)  # fmt: skip
+@click.option(
+    "--jobs", type=click.IntRange(min=0), default=1, show_default=True, metavar="N",
+    help="Levels compiled at a time, each in a process of its own; 0 means one a core.",
+)  # fmt: skip
 @click.option("-q", "--quiet", is_flag=True, help="Do not list what was written.")
 @common
 def command(
@@ -40,6 +54,9 @@ def command(
     only: tuple[str, ...],
     skip: tuple[str, ...],
     keep_going: bool,
+    engine: str,
+    accuracy: Accuracy,
+    jobs: int,
     quiet: bool,
     game: Game | None,
     base: tuple[str, ...],
@@ -63,9 +80,14 @@ def command(
     settings = overridden(found.settings, game, base, strict_grammar)
     with progress("compiling") as report:
         compiling = CompileSettings(
-            only=frozenset(only), skip=frozenset(skip), keep_going=keep_going, cut_anyway=cut_anyway
+            engine=engine,
+            accuracy=accuracy,
+            only=frozenset(only),
+            skip=frozenset(skip),
+            keep_going=keep_going,
+            cut_anyway=cut_anyway,
         )
-        built = build_all(paths, out, settings, report, compiling)
+        built = build_all(paths, out, settings, report, compiling, jobs)
     if not quiet:
         for level, target, size in built.written:
             click.echo(printable(f"{level} -> {target} ({size} bytes)"))

@@ -247,6 +247,56 @@ MOTION: Mapping[str, Column] = MappingProxyType(
     )
 )
 
+_SURFACES = "geometry.surface_flags"
+
+LEDGES: Mapping[str, Column] = MappingProxyType(
+    {
+        **_rows(
+            "body_movesize",
+            {
+                "body_movesize": Column("f4"),
+                "body_hover": Column("f4"),
+                "body_reattach": Column("f4"),
+                "body_step": Column("f4"),
+                "body_jump": Column("f4"),
+                "body_physics_flags": Column("u4"),
+                "body_player": Column("u1"),
+                "body_name_start": Column("u4", cuts="body_name"),
+            },
+        ),
+        "body_name": _TEXT,
+        "body_ledge_start": Column("u4", rows_of="body_movesize", cuts="surface"),
+        **_rows(
+            "surface",
+            {
+                "surface": Column("i4", index_of=_SURFACES),
+                "corner": Column("u1"),
+                "start": Column("f4"),
+                "end": Column("f4"),
+                "kind": Column("u1"),
+                "other_kind": Column("u1"),
+                "below": Column("i4", index_of=_SURFACES, or_none=True),
+                "thing": Column("i4"),
+                "drop_start": Column("f4"),
+                "drop_end": Column("f4"),
+                "traits": Column("u1"),
+            },
+        ),
+    }
+)
+
+BASINS: Mapping[str, Column] = MappingProxyType(
+    {
+        "body": Column("i4", index_of="ledges.body_movesize"),
+        "surface_start": Column("u4", rows_of="body", cuts="surface"),
+        "surface": Column("i4", index_of=_SURFACES),
+        **{
+            name: Column(kind, rows_of="body")
+            for name, kind in {"shallowest": "f4", "deepest": "f4", "entered": "u1", "left": "u1"}.items()
+        },
+    }
+)
+
 _LISTS = (
     "sounds", "materials", "colormaps", "aiclasses", "models", "sprites", "keyframes", "animclasses", "soundclasses",
     "cogscripts",
@@ -267,6 +317,8 @@ SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
         "particles": PARTICLES,
         "colour_effects": COLOUR_EFFECTS,
         "motion": MOTION,
+        "ledges": LEDGES,
+        "basins": BASINS,
     }
 )
 """The sections of the file in its order, with their columns."""

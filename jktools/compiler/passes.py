@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from jktools.compiler import scene, sections
+from jktools.compiler import scene, sections, walkability
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import PassError
 from jktools.compiler.sections import Columns, Cut, NotNeeded, Strings
@@ -44,6 +44,8 @@ PASSES: Mapping[str, Pass] = {
         Pass("particles", scene.particles, ("templates",)),
         Pass("colour_effects", scene.colour_effects, ("resources",)),
         Pass("motion", scene.motion, ("templates",)),
+        Pass("ledges", walkability.ledges, ("geometry",)),
+        Pass("basins", walkability.basins, ("geometry", "ledges")),
     )
 }
 """In the order of the file; a pass comes after those that it needs."""

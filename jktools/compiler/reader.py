@@ -50,7 +50,8 @@ class CompiledLevel:
     """A compiled level in memory.
 
     The columns of geometry are attributes of the level itself (`vertices`, `surface_flags`, ...), those of the
-    other sections of `resources`, `templates`, `things` and `cogs`; a section that the level did not need is None.
+    other sections of `resources`, `templates`,
+    `things`, `cogs`, `ledges` and `basins`; a section that the level did not need is None.
     grammars/level.fbs says what each holds.
     """
 
@@ -65,6 +66,8 @@ class CompiledLevel:
     particles: Section | None
     colour_effects: Section | None
     motion: Section | None
+    ledges: Section | None
+    basins: Section | None
 
     def __init__(self, data: bytes | memoryview, path: str = "<bytes>", *, verify: bool = False) -> None:
         """Check and view a buffer. Raises CompiledFileError; `verify` compares the checksum too."""
@@ -186,6 +189,9 @@ class CompiledLevel:
             "particles": ("particles", "template"),
             "colour_effects": ("colour_effects", "cog"),
             "motions": ("motion", "template"),
+            "bodies": ("ledges", "body_movesize"),
+            "ledges": ("ledges", "surface"),
+            "basins": ("basins", "body"),
         }
         return {
             kind: len(self.sections[section].columns[column]) if section in self.sections else 0

@@ -6,13 +6,17 @@ from functools import cached_property
 
 from jktools import geometry
 from jktools.engine.profile import Engine
+from jktools.facts.basins import Basin, Touched, basins_of, touched_by_scripts
+from jktools.facts.bodies import Walker, walkers
 from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.floors import Floors
 from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_sight, runners, with_created
+from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
 from jktools.facts.occluders import Occluders
 from jktools.facts.openings import named_by_cogs
+from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
 from jktools.facts.script import ScriptFacts
@@ -32,6 +36,7 @@ from jktools.geometry import (
 )
 from jktools.geometry.collision import Collision
 from jktools.geometry.engine_sight import SightFaces
+from jktools.geometry.ledges import EdgeWalker
 from jktools.geometry.validity import Int32
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
@@ -47,6 +52,7 @@ class LevelFacts:
     def __init__(self, level: Level, vocabulary: Vocabulary | None = None) -> None:
         """Know nothing yet; `vocabulary` has the verbs of the user's own build, for the level's scripts."""
         self.level = level
+        self._ledges: dict[tuple[Walker, Engine, str], Ledges] = {}
         self.vocabulary = vocabulary or Vocabulary(level.game)
         self._scripts: dict[str, ScriptFacts | None] = {}
         self._cels: dict[int, int | None] = {}
@@ -109,6 +115,44 @@ class LevelFacts:
     def movers(self) -> list[Mover]:
         """The placed things with frames of their own."""
         return movers(self.level)
+
+    @cached_property
+    def bodies(self) -> tuple[Walker, ...]:
+        """The distinct bodies that walk in the level, players first."""
+        known = self.reach
+        templates = self.level.resolved_templates.entries
+        return walkers(self.level, [t for t in templates if known.has(t)] if known.is_complete else templates)
+
+    @cached_property
+    def edges(self) -> EdgeWalker:
+        """The edges of the floors."""
+        return EdgeWalker(self.level)
+
+    @cached_property
+    def platforms(self) -> Platforms:
+        """The things that bodies can stand on, wherever they come to."""
+        return Platforms(self.level)
+
+    def ledges(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> Ledges:
+        """What a body whose hover height is known meets beyond each edge of each floor."""
+        key = (walker, engine, accuracy)
+        if key not in self._ledges:
+            self._ledges[key] = ledges_of(self.level, self.edges, walker, self.platforms, engine, accuracy)
+        return self._ledges[key]
+
+    @cached_property
+    def player_ledges(self) -> tuple[Ledges, ...]:
+        """The ledges of each player's body whose hover height is known, for rules."""
+        return tuple(self.ledges(each) for each in self.bodies if each.hovers and each.body.player)
+
+    @cached_property
+    def touched(self) -> Touched:
+        """The sectors and surfaces that placed scripts name."""
+        return touched_by_scripts(self.level, self.instances)
+
+    def basins(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> tuple[Basin, ...]:
+        """Where a body whose hover height is known comes down to, and what leads out."""
+        return basins_of(self.level, self.ledges(walker, engine, accuracy), self.platforms, self.touched)
 
     @cached_property
     def overlaps(self) -> Overlaps:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 from collections.abc import Callable, Collection, Iterator, Sequence
-from dataclasses import dataclass, field
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
 from jktools.compiler import CompileError, CompileSettings, PassError, compilation
@@ -167,6 +170,14 @@ class Built:
     bugs: list[str] = field(default_factory=list)
     """Files on which jktools itself failed, one sentence each."""
 
+    def add(self, other: Built) -> None:
+        """Take in what another run brought, after this one's."""
+        self.written += other.written
+        self.skipped += other.skipped
+        self.refused += other.refused
+        self.problems += other.problems
+        self.bugs += other.bugs
+
 
 def build_all(
     paths: Sequence[str],
@@ -174,43 +185,111 @@ def build_all(
     settings: Settings | None = None,
     progress: Progress = silent,
     compiling: CompileSettings | None = None,
+    jobs: int = 1,
 ) -> Built:
     """Compile every level that the paths name into files below `out`, or into `out` itself when it names a .jklb.
 
-    What cannot be read, compiled or written is told, and the rest is built. Raises InputError when `out` cannot hold
-    the levels or a base cannot be opened.
+    What cannot be read, compiled or written is told, and the rest is built. `jobs` levels are compiled at a time, each
+    in a process of its own (0: one a core); files and messages do not depend on how many. Raises InputError when `out`
+    cannot hold the levels or a base cannot be opened.
     """
     settings = settings or Settings()
     built = Built()
     library = Library(settings.base)
     members = _members(paths, built.problems)
     targets = _targets(members, out)
+    jobs = min(jobs or os.cpu_count() or 1, len(members))
+    if jobs > 1:
+        return _built_in_processes(built, paths, members, targets, settings, progress, compiling, jobs)
     for done, (member, target) in enumerate(zip(members, targets, strict=True)):
 
         def at_pass(name: str, done: int = done, path: str = member.path) -> None:
             progress(done, len(members), f"{path}: {name}")
 
         progress(done, len(members), member.path)
-        try:
-            level = read_level(member, settings, library)
-            if level.document.sections and not level.has_geometry:
-                built.skipped.append(f"{member.path}: skipped, it has no GEORESOURCE (resources and templates only)")
-                continue
-            fault = fault_of(target.name)
-            if fault:
-                raise InputError(f"cannot write {target}: {fault}")
-            compiled = compilation(level, compiling, progress=at_pass)
-            write_atomically(target, compiled.data)
-            built.written.append((member.path, target, len(compiled.data)))
-            built.bugs += compiled.failures
-        except InputError as error:
-            built.problems.append(str(error))
-        except CompileError as error:
-            built.refused.append(str(error))
-        except PassError as error:
-            built.bugs.append(_bug(error))
-        except Exception as error:
-            built.bugs.append(f"{member.path}: {_failed(member, error).message}")
+        built.add(_build_one(member, target, settings, library, compiling, at_pass))
+    return built
+
+
+def _build_one(
+    member: Member,
+    target: Path,
+    settings: Settings,
+    library: Library,
+    compiling: CompileSettings | None,
+    at_pass: Callable[[str], None],
+) -> Built:
+    built = Built()
+    try:
+        level = read_level(member, settings, library)
+        if level.document.sections and not level.has_geometry:
+            built.skipped.append(f"{member.path}: skipped, it has no GEORESOURCE (resources and templates only)")
+            return built
+        fault = fault_of(target.name)
+        if fault:
+            raise InputError(f"cannot write {target}: {fault}")
+        compiled = compilation(level, compiling, progress=at_pass)
+        write_atomically(target, compiled.data)
+        built.written.append((member.path, target, len(compiled.data)))
+        built.bugs += compiled.failures
+    except InputError as error:
+        built.problems.append(str(error))
+    except CompileError as error:
+        built.refused.append(str(error))
+    except PassError as error:
+        built.bugs.append(_bug(error))
+    except Exception as error:
+        built.bugs.append(f"{member.path}: {_failed(member, error).message}")
+    return built
+
+
+class _Worker:
+    """What a process that compiles levels keeps from one to the next."""
+
+    def __init__(self, paths: Sequence[str], settings: Settings, compiling: CompileSettings | None) -> None:
+        self.members = _members(paths, [])
+        self.settings, self.compiling = settings, compiling
+        self.library = Library(settings.base)
+
+    def build(self, number: int, target: Path) -> Built:
+        member = self.members[number]
+        return _build_one(member, target, self.settings, self.library, self.compiling, lambda _: None)
+
+
+_worker: list[_Worker] = []
+
+
+def _start_worker(paths: Sequence[str], settings: Settings, compiling: CompileSettings | None) -> None:
+    _worker[:] = [_Worker(paths, settings, compiling)]
+
+
+def _work(number: int, target: Path) -> Built:
+    return _worker[0].build(number, target)
+
+
+def _built_in_processes(
+    built: Built,
+    paths: Sequence[str],
+    members: Sequence[Member],
+    targets: Sequence[Path],
+    settings: Settings,
+    progress: Progress,
+    compiling: CompileSettings | None,
+    jobs: int,
+) -> Built:
+    # Spawned, not forked: a fork would copy locks that native threads may hold.
+    context = multiprocessing.get_context("spawn")
+    # What a build reads of the settings, in mappings that can be sent to another process.
+    plain = replace(settings, severity={}, options={}, ignores=(), verbs=dict(settings.verbs))
+    start = (tuple(paths), plain, compiling)
+    with ProcessPoolExecutor(jobs, context, _start_worker, start) as pool:
+        waiting = [pool.submit(_work, number, target) for number, target in enumerate(targets)]
+        for done, (member, each) in enumerate(zip(members, waiting, strict=True)):
+            progress(done, len(members), member.path)
+            try:
+                built.add(each.result())
+            except BrokenProcessPool:
+                built.bugs.append(f"{member.path}: the process that compiles it ended; try --jobs 1")
     return built
 
 

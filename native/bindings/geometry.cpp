@@ -9,6 +9,7 @@ namespace nb = nanobind;
 
 NB_MODULE(_native_geometry, m) {
     m.doc() = "Native geometry with exact predicates; only jktools.geometry imports it.";
+    jk::open_ledges(m);
     jk::open_sight(m);
     jk::open_drop(m);
     jk::open_soundness(m);

@@ -16,7 +16,7 @@ LAMP = [
     "rate=128",
     "walkplayer none type=player move=physics physflags=0x4a4f mass=150 maxthrust=2 surfdrag=3 airdrag=.5 maxvel=1 "
     "staticdrag=.3",
-    "World things 5", "2: lamp lamp 0 0 0 0 0 0 0", "3: smoke smoke .5 .5 .5 0 0 0 0", "World cogs 1", "0: fx.cog .5",
+    "World things 5", "7: lamp lamp 0 0 0 0 0 0 0", "3: smoke smoke .5 .5 .5 0 0 0 0", "World cogs 1", "0: fx.cog .5",
     "== cog/lamp.cog", "symbols", "message created", "message pulse", "end", "code",
     "created: SetThingPulse(GetSenderRef(), 0.1); return;",
     "pulse: if (HasLOS(GetSenderRef(), GetLocalPlayerThing()) == 1) Print(\"x\"); return;", "end",
@@ -79,9 +79,18 @@ def test_motion(compiled: CompiledLevel) -> None:
     assert np.isfinite(motion.jump_reach).all()
 
 
+def test_what_cannot_be_reached_is_left_out() -> None:
+    lines = [line for line in LAMP if line != "3: smoke smoke .5 .5 .5 0 0 0 0"]
+    with level_with_files(*lines) as level:
+        both = [CompiledLevel(compile_level(level, CompileSettings(cut_anyway=cut))) for cut in (False, True)]
+    assert [each.counts["particles"] for each in both] == [1, 0]
+    assert [each.counts["motions"] for each in both] == [1, 1]
+
+
 def test_what_the_scene_does_not_call_for_is_absent_and_says_why() -> None:
     level = CompiledLevel(compile_level(level_of(two_rooms())))
     notes = {name: each["note"] for name, each in level.passes.items() if not each["ran"]}
+    notes.pop("basins")
     assert notes == {
         "hotspots": "no script at hand asks for sight",
         "lights": "no thing that stays in place shines",

@@ -130,6 +130,35 @@ def test_the_engine_keeps_no_more_than_32_things_in_view() -> None:
     assert by_verb["haslos"].per_run == {"pulse": 32}
 
 
+def walk(*body: str) -> list[str]:
+    script = view_loop()
+    at = script.index('if (HasLOS(turret, victim) == 1) Print("seen");')
+    return [*script[:at], *body, *script[at + 1 :]]
+
+
+@pytest.mark.parametrize(("body", "most"), [
+    (['if (HasLOS(turret, turret) == 1) Print("seen");'], 32),  # not one of the things in view: a list's length
+    (["if (HasLOS(turret, victim) == 1) DamageThing(victim, 1, 1, turret);"], 4),
+    (["if (HasLOS(turret, victim) == 1) victim = FirstThingInView(turret, 90, 10, 0x404);"], math.inf),
+    (['if (HasLOS(turret, victim) == 1) Print("seen");', "FirstThingInView(turret, 90, 10, 0x404);"], math.inf),
+])  # fmt: skip
+def test_what_ends_a_loop_over_things_in_view(body: list[str], most: float) -> None:
+    by_verb = {h.site.verb.name: h for h in guarded(3, *walk(*body))}
+    assert by_verb["haslos"].per_run == {"pulse": most}
+
+
+def test_a_bound_takes_it_that_other_scripts_may_start_the_list_anew() -> None:
+    disturbed, alone = (
+        next(h for h in guarded(3, *walk(body)) if h.site.verb.name == "haslos")
+        for body in (
+            "if (HasLOS(turret, victim) == 1) DamageThing(victim, 1, 1, turret);",
+            'if (HasLOS(turret, victim) == 1) Print("seen");',
+        )
+    )
+    bounds = [h.runner.analysis.rates.repeats_of("pulse", h.site).per_run for h in (disturbed, alone)]
+    assert bounds == [math.inf, 32]
+
+
 @pytest.mark.parametrize(("distance", "sectors", "surfaces"), [("10", 2, 2), ("2", 2, 2), ("1", 2, 1), ("0", 2, 1)])
 def test_a_flood_goes_on_while_the_adjoins_are_near(distance: str, sectors: int, surfaces: int) -> None:
     # Each adjoin's dist is 1 on either side: the other room is 2 JKU away. It is entered all the same; only its own
@@ -220,6 +249,12 @@ def test_what_a_script_can_open_or_move_varies() -> None:
     opener = looking("activated: ClearAdjoinFlags(door, 0x1); return;", *STARE[STARE.index('code') + 1 : -1],
                      symbols=("thing a", "thing b", "surface door"))  # fmt: skip
     assert verdict(*SHUT, *placed_cog("20 21 3", *opener)) is Verdict.VARIES
+    # The other side of the same adjoin.
+    assert verdict(*SHUT, *placed_cog("20 21 8", *opener)) is Verdict.VARIES
+    # A script that cannot be read is linked to surface 3, or to something else.
+    unread = [each.replace("World cogs 1", "World cogs 2") for each in placed_cog("20 21", *STARE)]
+    unread.insert(unread.index("0: look.cog 20 21") + 1, "1: gone.cog 3")
+    assert verdict(*SHUT, *unread) is Verdict.VARIES
     mover = looking("activated: TeleportThing(a, b); return;", *STARE[STARE.index("code") + 1 : -1])
     assert verdict(*SHUT, *placed_cog("20 21", *mover)) is Verdict.VARIES
 

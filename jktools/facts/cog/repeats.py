@@ -118,8 +118,13 @@ def components(blocks: Sequence[Block], inside: frozenset[int], cut: int = -1) -
 class Counter:
     """Counts passes within the code that one start leads to."""
 
-    def __init__(self, program: Program, flow: Flow, reach: Reach, known: Known) -> None:
-        """Count nothing yet."""
+    def __init__(self, program: Program, flow: Flow, reach: Reach, known: Known, *, undisturbed: bool = False) -> None:
+        """Count nothing yet.
+
+        `undisturbed` takes it that no handler which a verb runs in between starts the list of things in view anew: the
+        counts are then what is meant, and no longer bounds whatever other scripts do.
+        """
+        self.undisturbed = undisturbed
         self.program = program
         self.flow = flow
         self.reach = reach
@@ -297,9 +302,11 @@ class Counter:
             return math.inf
         called = frozenset(self.reach.blocks_from(c for i in part if (c := self.flow.blocks[i].callee) >= 0))
         anew = any(
-            op is Op.CALL and (arg.name in VIEWS or arg.delivers)
+            op is Op.CALL and (arg.name in VIEWS or (arg.delivers and not self.undisturbed))
             for i in part | called for op, arg, _ in self.flow.blocks[i].code
         )  # fmt: skip
+        if self.undisturbed:
+            return math.inf if anew or any(index in called for index, _ in stores) else MOST_SEEN
         return math.inf if anew or self._others_store(part, stores) else MOST_SEEN
 
     def _is_call(self, value: Expression, names: frozenset[str]) -> bool:

@@ -132,15 +132,12 @@ class Scene:
 
     def _per_run(self, runner: Runner, site: Site, label: str) -> float:
         """Calls in one run; a loop over the things in view turns no more often than there are such things."""
-        count = runner.analysis.rates.repeats_of(label, site).per_run
+        count = self.paces.passes(runner, label, site).per_run
         kinds = {end.kind for argument in range(2) for end in ends(runner, site, argument)}
-        if site.verb.sight != "ray" or "seen" not in kinds or not self._in_walk(runner):
+        if math.isinf(count) or site.verb.sight != "ray" or "seen" not in kinds or not self._in_walk(runner):
             return count
-        first = sum(
-            runner.analysis.rates.repeats_of(label, flood).per_run
-            for flood in runner.analysis.rates.sites
-            if flood.verb.name in FLOODS
-        )
+        floods = (s for s in runner.analysis.rates.sites if s.verb.name in FLOODS)
+        first = sum(self.paces.passes(runner, label, flood).per_run for flood in floods)
         return min(count, max(first, 1.0) * min(MOST_SEEN, max(self._seen(runner), 1)))
 
     def _in_walk(self, runner: Runner) -> bool:
@@ -152,7 +149,7 @@ class Scene:
         return sum(1 for thing in self.placed if mask >> TYPES.index(thing.resolved.type) & 1)
 
     def _calls(self, runner: Runner, site: Site, label: str, per_run: float) -> float:
-        passes = runner.analysis.rates.repeats_of(label, site)
+        passes = self.paces.passes(runner, label, site)
         runs = self.paces.runs_of(runner, label)
         return (runs * per_run if runs else 0.0) + passes.per_second
 

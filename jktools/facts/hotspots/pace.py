@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from jktools.facts.cog import ranges
 from jktools.facts.cog.rates import PULSE, TIMER, Rates, Site, Source
+from jktools.facts.cog.repeats import NEVER, Counter, Repeats
 from jktools.facts.hotspots.ends import ends
 from jktools.facts.hotspots.runners import Runner
 
@@ -40,6 +41,7 @@ class Paces:
         """`frames` are the game's a second."""
         self.runners = tuple(runners)
         self.frame = 1.0 / frames
+        self.repeats = {runner: _repeats(runner) for runner in self.runners}
         self.beats = [beat for runner in self.runners for beat in _beats(runner)]
         self.started = {runner: self._started(runner) for runner in self.runners}
         self.runs: dict[Runner, dict[str, float]] = {runner: {} for runner in self.runners}
@@ -50,13 +52,9 @@ class Paces:
         """Runs a second of a handler."""
         return self.runs[runner].get(label, 0.0)
 
-    def calls_of(self, runner: Runner, label: str, site: Site) -> float:
-        """Calls a second of a site in the runs of a handler; infinite where nothing bounds them."""
-        if label not in self.started[runner]:
-            return 0.0
-        passes = runner.analysis.rates.repeats_of(label, site)
-        runs = self.runs_of(runner, label)
-        return (runs * passes.per_run if runs else 0.0) + passes.per_second
+    def passes(self, runner: Runner, label: str, site: Site) -> Repeats:
+        """How often a call happens in the runs of a handler."""
+        return self.repeats[runner][label].get(site.block, NEVER)
 
     def beats_for(self, runner: Runner, message: int) -> dict[int, tuple[float, list[Beat]]]:
         """By thing: the least interval at which a script gets a message from it, and what sets it."""
@@ -128,7 +126,7 @@ class Paces:
         return total + 1.0 / pulse + min(timed, 1.0 / timer)
 
     def _passes(self, runner: Runner, label: str, site: Site, runs: Mapping[str, float]) -> float:
-        passes = runner.analysis.rates.repeats_of(label, site)
+        passes = self.passes(runner, label, site)
         return (runs[label] * passes.per_run if runs[label] else 0.0) + passes.per_second
 
     def _from_things(self, runner: Runner, message: int, label: str, circle: frozenset[str]) -> float:
@@ -148,6 +146,13 @@ class Paces:
 
     def _interval(self, source: Source) -> float:
         return max(source.least, self.frame)
+
+
+def _repeats(runner: Runner) -> Mapping[str, Mapping[int, Repeats]]:
+    """For each handler's label, how often a run passes each block, other scripts left out."""
+    each = runner.analysis
+    counter = Counter(each.program, each.flow, each.reach, each.known, undisturbed=True)
+    return {h.label: counter.of_handler(each.flow.label_block[h.label]) for h in each.program.handlers}
 
 
 def _numbers(runner: Runner) -> frozenset[int]:

@@ -5,6 +5,7 @@
 
 namespace jk {
 
+void open_ledges(nanobind::module_& m);
 void open_drop(nanobind::module_& m);
 void open_sight(nanobind::module_& m);
 void open_soundness(nanobind::module_& m);

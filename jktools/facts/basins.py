@@ -1,0 +1,199 @@
+"""Basins: floors that a body can come down to and whose every way out goes up.
+
+The research document calls them pits; in the game's own words a pit is a sector that kills (0x40).
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from jktools.engine.flags import SectorFlag, SurfaceFlag
+from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.ledges import Kind, Ledges
+from jktools.facts.platforms import Platforms
+from jktools.geometry.components import components
+from jktools.model import Level
+
+Bool = npt.NDArray[np.bool_]
+Int32 = npt.NDArray[np.int32]
+
+PIT = 0x40
+"""Sector flag: whoever falls in dies."""
+_LIFTS = SectorFlag.THRUST | SectorFlag.NO_GRAVITY
+"""Sector flags under which a body may come up without a floor."""
+
+
+class Way(enum.IntFlag):
+    """How a basin is left."""
+
+    WALK = 0x1
+    """Up a lip: by walking into it fast enough."""
+    JUMP = 0x2
+    MOVER = 0x4
+    """A thing that bodies can stand on comes there."""
+    WATER = 0x8
+    DEADLY = 0x10
+    UNKNOWN = 0x20
+    """A sector that lifts, a script that may do anything there, or a slope that is no floor."""
+
+
+class Entry(enum.IntFlag):
+    """How a basin is come into."""
+
+    WALK = 0x1
+    """Down a step that cannot be walked up."""
+    FALL = 0x2
+    JUMP = 0x4
+    """Over a wall."""
+    START = 0x8
+    """A player starts in it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Basin:
+    """One basin of one body."""
+
+    surfaces: tuple[int, ...]
+    """The floors, ascending."""
+    shallowest: float
+    deepest: float
+    """Least and greatest height of the rim over the floors, JKU: of all edges that lead in."""
+    entered: Entry
+    left: Way
+    rows: tuple[int, ...]
+    """The ledges that lead in, rows of `Ledges`."""
+
+    @property
+    def is_inescapable(self) -> bool:
+        """Whether a body that comes in is stuck, and does not start there."""
+        return not self.left and not self.entered & Entry.START
+
+
+class Touched(NamedTuple):
+    """What a script may change: (sectors,) and (surfaces,)."""
+
+    sectors: Bool
+    surfaces: Bool
+
+
+def basins_of(level: Level, ledges: Ledges, platforms: Platforms, touched: Touched) -> tuple[Basin, ...]:
+    """The basins of one body, by their first floors."""
+    surface, below, kind = ledges.surface, ledges.below, ledges.kind
+    falls = np.isin(kind, (Kind.LEVEL, Kind.SEAMLESS, Kind.STEP, Kind.FALL)) & (below >= 0)
+    count = len(level.surfaces)
+    region = components(count, surface[falls], below[falls])
+    here = region[surface]
+    lands = (below >= 0) & np.isin(kind, (Kind.LEVEL, Kind.SEAMLESS, Kind.STEP, Kind.FALL, Kind.LIP, Kind.JUMP))
+    there = np.where(lands, region[below], -1)
+    apart = lands & (there != here)
+    leaves_down = np.zeros(count, np.bool_)
+    leaves_down[here[apart & falls]] = True
+    entering = apart & np.isin(kind, (Kind.SEAMLESS, Kind.FALL, Kind.JUMP)) & (ledges.deepest > 0) & ~ledges.narrow
+    found = []
+    for number in sorted(set(there[entering & ~leaves_down[there]].tolist())):
+        surfaces = np.flatnonzero(ledges.edges.floors & (region == number))
+        rows = np.flatnonzero(entering & (there == number))
+        drops = np.concatenate([ledges.drop_start[rows], ledges.drop_end[rows]])
+        entered = _entered(kind[rows])
+        if set(starts(level)) & set(level.surface_sector[surfaces].tolist()):
+            entered |= Entry.START
+        left = Way.DEADLY if _kills(level, ledges, rows) else Way(0)
+        left |= _left(level, ledges, np.flatnonzero(here == number), apart, surfaces, platforms, touched)
+        shallowest, deepest = max(0.0, float(drops.min())), float(drops.max())
+        found.append(Basin(tuple(surfaces.tolist()), shallowest, deepest, entered, left, tuple(rows.tolist())))
+    return tuple(sorted(found, key=lambda basin: basin.surfaces))
+
+
+def starts(level: Level) -> list[int]:
+    """The sectors in which players are placed."""
+    return [t.sector_index for t in level.things if t.dropped is None and t.resolved.type == "player"]
+
+
+def _kills(level: Level, ledges: Ledges, rows: npt.NDArray[np.intp]) -> bool:
+    """Whether every way in ends in a fall that kills a body of full health."""
+    deadly = ledges.walker.deadly_drop()
+    soft = (level.document.surfaces.flags[ledges.below[rows]] & SurfaceFlag.NO_FALL_DAMAGE) != 0
+    return bool((~soft & (ledges.least[rows] >= deadly)).all())
+
+
+def _entered(kinds: npt.NDArray[np.uint8]) -> Entry:
+    entry = Entry(0)
+    for kind, way in ((Kind.SEAMLESS, Entry.WALK), (Kind.FALL, Entry.FALL), (Kind.JUMP, Entry.JUMP)):
+        if (kinds == kind).any():
+            entry |= way
+    return entry
+
+
+def _left(
+    level: Level,
+    ledges: Ledges,
+    rows: npt.NDArray[np.intp],
+    apart: Bool,
+    surfaces: npt.NDArray[np.intp],
+    platforms: Platforms,
+    touched: Touched,
+) -> Way:
+    left = Way(0)
+    kinds, leads = ledges.kind[rows], apart[rows]
+    for kind, way in ((Kind.LIP, Way.WALK), (Kind.JUMP, Way.JUMP)):
+        if (leads & (kinds == kind)).any():
+            left |= way
+    for kind, way in ((Kind.WATER, Way.WATER), (Kind.UNKNOWN, Way.MOVER), (Kind.NONE, Way.UNKNOWN)):
+        if (kinds == kind).any():
+            left |= way
+    sectors = np.unique(level.surface_sector[surfaces])
+    flags = level.document.sectors.flags[sectors]
+    if (flags & PIT).any():
+        left |= Way.DEADLY
+    if (flags & SectorFlag.UNDERWATER).any():
+        left |= Way.WATER
+    if (flags & _LIFTS).any() or touched.sectors[sectors].any() or touched.surfaces[surfaces].any():
+        left |= Way.UNKNOWN
+    if _comes_to(level, platforms, surfaces):
+        left |= Way.MOVER
+    return left
+
+
+def _comes_to(level: Level, platforms: Platforms, surfaces: npt.NDArray[np.intp]) -> bool:
+    """Whether a thing that bodies can stand on comes over one of the floors."""
+    for surface in surfaces.tolist():
+        corners = level.surfaces[surface].positions
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        size = platforms.size[:, None]
+        near = (platforms.place + size >= low) & (platforms.place - size <= high)
+        if near.all(axis=1).any():
+            return True
+    return False
+
+
+def touched_by_scripts(level: Level, instances: Sequence[InstanceFacts]) -> Touched:
+    """What placed scripts name: any sector, surface or thing's sector, and the surfaces around.
+
+    Of a script that is not at hand every number counts as each of the three.
+    """
+    sectors, surfaces = np.zeros(len(level.sectors), np.bool_), np.zeros(len(level.surfaces), np.bool_)
+    number_of = {thing.number: thing.sector_index for thing in level.things if thing.dropped is None}
+    for each in instances:
+        if each.script is None:
+            values = [(kind, text) for text in each.cog.values for kind in ("sector", "surface", "thing")]
+        else:
+            values = [(str(value.slot.type), value.text) for value in each.values]
+        for kind, text in values:
+            if not text.lstrip("-").isdecimal():
+                continue
+            number = int(text)
+            if kind == "sector" and 0 <= number < len(sectors):
+                sectors[number] = True
+            elif kind == "surface" and 0 <= number < len(surfaces):
+                surfaces[number] = True
+                owner = int(level.surface_sector[number])
+                sectors[owner] |= owner >= 0
+            elif kind == "thing" and 0 <= number_of.get(number, -1) < len(sectors):
+                sectors[number_of[number]] = True
+    return Touched(sectors, surfaces)

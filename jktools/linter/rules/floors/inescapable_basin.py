@@ -1,0 +1,73 @@
+"""JK701: a basin that nobody gets out of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from jktools.diagnostics import Label, Severity
+from jktools.facts import LevelFacts
+from jktools.linter.rule import Finding, rule
+from jktools.model import Level
+
+
+@rule("JK701", "inescapable-basin", severity=Severity.WARNING, since="0.2.0")
+def inescapable_basin(level: Level, facts: LevelFacts) -> Iterator[Finding]:
+    """Report floors that a player can come down to, and from which no step, jump, lift, water or script leads out.
+
+    ## Why it matters
+    A player who slips in has to load a saved game. Looked at are the player's own jump from the edge of each floor,
+    things that can be stood on, sectors that lift, and all that a placed script names; where any of them may help,
+    nothing is reported, nor where the fall in kills. Powers that jump higher are not counted.
+
+    ## Bad
+        World vertices 14
+        8: 1 2 -.6
+        9: 0 2 -.6
+        12: 0 1 -.6
+        13: 1 1 -.6
+        World surfaces 13
+        6: 0 0x5 0x4 4 3 1 -1 0 4 12,0 13,1 8,2 9,3 1 1 1 1
+        10: 0 0x4 0x4 4 3 1 -1 0 4 12,0 9,1 11,2 7,3 1 1 1 1
+        11: 0 0x4 0x4 4 3 1 -1 0 4 13,0 6,1 10,2 8,3 1 1 1 1
+        12: 0 0x4 0x4 4 3 1 -1 0 4 12,0 3,1 2,2 13,3 1 1 1 1
+        Normals
+        12: 0 1 0
+        Sector 1
+        Surfaces 6 7
+        World templates 3
+        walkplayer none type=player move=physics size=.065 height=.12 physflags=0x4a4f jumpspeed=1.5
+
+    ## Good
+        World vertices 14
+        8: 1 2 -.3
+        9: 0 2 -.3
+        12: 0 1 -.3
+        13: 1 1 -.3
+        World surfaces 13
+        6: 0 0x5 0x4 4 3 1 -1 0 4 12,0 13,1 8,2 9,3 1 1 1 1
+        10: 0 0x4 0x4 4 3 1 -1 0 4 12,0 9,1 11,2 7,3 1 1 1 1
+        11: 0 0x4 0x4 4 3 1 -1 0 4 13,0 6,1 10,2 8,3 1 1 1 1
+        12: 0 0x4 0x4 4 3 1 -1 0 4 12,0 3,1 2,2 13,3 1 1 1 1
+        Normals
+        12: 0 1 0
+        Sector 1
+        Surfaces 6 7
+        World templates 3
+        walkplayer none type=player move=physics size=.065 height=.12 physflags=0x4a4f jumpspeed=1.5
+    """
+    for ledges in facts.player_ledges:
+        jump = ledges.walker.jump(ledges.engine)
+        for basin in facts.basins(ledges.walker, ledges.engine):
+            if not basin.is_inescapable:
+                continue
+            first = level.surfaces[basin.surfaces[0]]
+            more = f" and {len(basin.surfaces) - 1} more floors" if len(basin.surfaces) > 1 else ""
+            rims = dict.fromkeys(int(ledges.surface[row]) for row in basin.rows)
+            yield Finding(
+                Label(first.head_span),
+                f"{first.title}{more} lies {basin.shallowest:.4g} to {basin.deepest:.4g} JKU below the floors that "
+                f"lead in, but {ledges.walker.title} gets up {jump:.4g} JKU",
+                "add steps or a lift, or make it deadly",
+                first.subject,
+                tuple(Label(level.surfaces[rim].head_span, f"surface {rim} leads in") for rim in list(rims)[:4]),
+            )

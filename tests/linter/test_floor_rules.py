@@ -1,0 +1,88 @@
+"""Basins and stairs beyond the examples of their rules: what lets a body out, and what takes it down."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from jktools.facts import LevelFacts
+from jktools.facts.basins import Entry, Way
+from jktools.linter import find_rule, lint
+from jktools.model import Level
+from tests.support.levels import level_of, two_rooms
+
+PIT = find_rule("JK701").bad[0].lines
+"""Room 1 lies 0.6 JKU below room 0, where the player starts."""
+
+
+def pit(*more: str) -> Level:
+    return level_of(two_rooms(*PIT, *more))
+
+
+def left(level: Level) -> Way:
+    facts = LevelFacts(level)
+    (basin,) = facts.basins(facts.bodies[0])
+    assert basin.surfaces == (6,)
+    return basin.left
+
+
+def test_a_pit_deeper_than_a_jump_is_inescapable() -> None:
+    facts = LevelFacts(pit())
+    (basin,) = facts.basins(facts.bodies[0])
+    assert (basin.entered, basin.left, basin.is_inescapable) == (Entry.FALL, Way(0), True)
+    assert (basin.shallowest, basin.deepest) == pytest.approx((0.6, 0.6))
+
+
+@pytest.mark.parametrize(
+    ("flags", "way"),
+    [("0x2", Way.WATER), ("0x40", Way.DEADLY), ("0x8", Way.UNKNOWN), ("0x1", Way.UNKNOWN), ("0x10", Way(0))],
+)
+def test_sector_flags_that_let_out(flags: str, way: Way) -> None:
+    level = pit("Sector 1", f"Flags {flags}")
+    facts = LevelFacts(level)
+    found = facts.basins(facts.bodies[0])
+    if flags == "0x2":
+        assert found == ()  # the way down is a way into the water
+    else:
+        assert left(level) == way
+
+
+def test_a_lift_in_the_pit_may_help() -> None:
+    lift = "2: lift crate .5 1.5 -.5 0 0 0 1 thingflags=0x40 size=.3"
+    assert left(pit("World things 3", lift)) & Way.MOVER
+
+
+def test_a_script_that_names_the_sector_may_help() -> None:
+    assert left(pit("World cogs 1", "0: door.cog 1 -1 wind.wav")) & Way.UNKNOWN
+
+
+def test_a_start_in_the_pit_is_no_trap() -> None:
+    facts = LevelFacts(pit("World things 3", "2: walkplayer walkplayer .5 1.5 -.4 0 0 0 1"))
+    (basin,) = facts.basins(facts.bodies[0])
+    assert basin.entered & Entry.START
+    assert not basin.is_inescapable
+
+
+def test_a_fall_that_kills_is_no_trap() -> None:
+    assert left(level_of(two_rooms(*(line.replace("-.6", "-5") for line in PIT)))) == Way.DEADLY
+
+
+def test_a_deadly_drop_is_where_the_simulated_landing_costs_a_hundred_points() -> None:
+    """Without drag: (sqrt(2 g h) - 2.5)^2 * 45 = 100, so h = (2.5 + sqrt(100 / 45))^2 / (2 * 4)."""
+    walker = LevelFacts(pit()).bodies[0]
+    assert walker.deadly_drop() == pytest.approx((2.5 + np.sqrt(100 / 45)) ** 2 / 8, abs=2e-4)
+
+
+def test_a_long_tread_between_steps_is_no_stair_that_makes_fall() -> None:
+    rule = find_rule("JK702")
+    assert [d.code.id for d in lint(level_of(two_rooms(*rule.bad[0].lines)), [rule])] == ["JK702"]
+    longer = [line.replace(" 1.1 ", " 1.7 ") for line in rule.bad[0].lines]
+    assert lint(level_of(two_rooms(*longer)), [rule]) == []
+
+
+def test_the_message_names_both_sides() -> None:
+    (found,) = lint(pit(), [find_rule("JK701")])  # the jump: 1.5^2 / 8, and 0.055 below the sphere
+    assert found.message == (
+        "surface 6 (sector 1, surface 0) lies 0.6 to 0.6 JKU below the floors that lead in, but walkplayer gets up "
+        "0.3362 JKU"
+    )
