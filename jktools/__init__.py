@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from jktools.compiler import open_compiled as open_compiled
     from jktools.diagnostics import Diagnostic as Diagnostic
     from jktools.diagnostics import Severity as Severity
+    from jktools.facts.fall import drop as drop
     from jktools.facts.scene import sight as sight
+    from jktools.facts.sights import sights as sights
     from jktools.geometry import SectorMesh as SectorMesh
     from jktools.model import Level as Level
     from jktools.session import Settings as Settings
@@ -40,12 +42,14 @@ _PUBLIC = {
     "Settings": ("jktools.session", "Settings"),
     "Severity": ("jktools.diagnostics", "Severity"),
     "build": ("jktools.session", "build"),
+    "drop": ("jktools.facts.fall", "drop"),
     "check": ("jktools.session", "check"),
     "lint": ("jktools.session", "lint"),
     "load": ("jktools.session", "load"),
     "load_script": ("jktools.session", "load_script"),
     "mesh": ("jktools.session", "mesh"),
     "sight": ("jktools.facts.scene", "sight"),
+    "sights": ("jktools.facts.sights", "sights"),
     "Script": ("jktools.syntax.cog", "Script"),
     "SectorMesh": ("jktools.geometry", "SectorMesh"),
     "open_compiled": ("jktools.compiler", "open_compiled"),

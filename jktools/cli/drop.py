@@ -7,7 +7,6 @@ import click
 from jktools.cli.app import base_option
 from jktools.facts.fall import fall, tell_fall
 from jktools.facts.sightline import EndpointError
-from jktools.geometry import SectorMesh
 from jktools.session import load
 from jktools.session.settings import Game
 
@@ -16,15 +15,19 @@ from jktools.session.settings import Game
 @click.argument("level", metavar="LEVEL")
 @click.argument("start", metavar="START")
 @click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
+@click.option("--things/--no-things", default=True, help="Whether things carry, or surfaces only.")
 @base_option
-def command(level: str, start: str, game: Game | None, base: tuple[str, ...]) -> int:
-    """Tell what is straight below START: the floor, by sector. Things that can be stood on are no part of it.
+def command(level: str, start: str, game: Game | None, things: bool, base: tuple[str, ...]) -> int:
+    """Tell what is straight below START: the floor, by sector, and things that bodies stand on.
+
+    A thing of type cog with thing flag 0x40 and collide 3 carries on its faces, where it is placed; that one may be
+    there at one of its frames is told too. Without its model what is beneath it is unknown.
 
     START is a thing by number, or a point as x,y,z (put -- before a negative one).
     """
     loaded = load(level, base, game)
     try:
-        top, found = fall(loaded, SectorMesh.from_level(loaded), start)
+        top, found = fall(loaded, start, things=things)
     except EndpointError as error:
         raise click.UsageError(str(error)) from error
     click.echo("\n".join(tell_fall(loaded, top, found)))

@@ -5,9 +5,10 @@ from __future__ import annotations
 import click
 
 from jktools.cli.app import base_option
+from jktools.engine.profile import Engine
+from jktools.facts.level import LevelFacts
 from jktools.facts.scene import scene, tell
-from jktools.facts.sightline import EndpointError, describe, sightline
-from jktools.geometry import SectorMesh
+from jktools.facts.sightline import EndpointError
 from jktools.session import load
 from jktools.session.settings import Game
 
@@ -17,20 +18,27 @@ from jktools.session.settings import Game
 @click.argument("a", metavar="A")
 @click.argument("b", metavar="B")
 @click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
+@click.option(
+    "--engine",
+    type=click.Choice([str(each) for each in Engine]),
+    default=str(Engine.RESEARCH),
+    show_default=True,
+    help="The research document's rules, or those of the decompiled engine.",
+)
 @click.option("--things/--no-things", default=True, help="Whether things block, or walls only.")
 @base_option
-def command(level: str, a: str, b: str, game: Game | None, things: bool, base: tuple[str, ...]) -> int:
+def command(level: str, a: str, b: str, game: Game | None, engine: str, things: bool, base: tuple[str, ...]) -> int:
     """Explain whether B is seen from A: the sectors crossed, and what blocks.
 
-    Any solid thing in the way blocks (research document); one that moves or that a COG may change gives "varies".
+    In research any solid thing in the way blocks, in openjkdf2 those of type cog. What moves, or what a COG may change,
+    gives "varies".
 
     A and B are things by number, or points as x,y,z (put -- before a negative one).
     """
     loaded = load(level, base, game)
     try:
-        mesh = SectorMesh.from_level(loaded)
-        lines = tell(loaded, scene(loaded, mesh, a, b)) if things else describe(loaded, sightline(loaded, mesh, a, b))
+        found = scene(LevelFacts.of(loaded), a, b, Engine(engine), things=things)
     except EndpointError as error:
         raise click.UsageError(str(error)) from error
-    click.echo("\n".join(lines))
+    click.echo("\n".join(tell(loaded, found)))
     return 0

@@ -10,15 +10,16 @@ from jktools.facts.basins import Basin, Touched, basins_of, touched_by_scripts
 from jktools.facts.bodies import Walker, walkers
 from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.floors import Floors
 from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_sight, runners, with_created
 from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
+from jktools.facts.occluders import Occluders
 from jktools.facts.openings import MOVEMENT, VISIBLE, opened_by_cogs
 from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
 from jktools.facts.script import ScriptFacts, script_facts
-from jktools.facts.standing import Carriers
 from jktools.geometry import (
     Accuracy,
     Alignment,
@@ -34,6 +35,7 @@ from jktools.geometry import (
     VisibleSectors,
 )
 from jktools.geometry.collision import Collision
+from jktools.geometry.engine_sight import SightFaces
 from jktools.geometry.ledges import EdgeWalker
 from jktools.geometry.validity import Int32
 from jktools.model import Level
@@ -53,6 +55,15 @@ class LevelFacts:
         self.vocabulary = vocabulary or Vocabulary(level.game)
         self._scripts: dict[str, ScriptFacts | None] = {}
         self._cels: dict[int, int | None] = {}
+        self._sight_faces: dict[Engine, SightFaces] = {}
+
+    @classmethod
+    def of(cls, level: Level) -> LevelFacts:
+        """Give the facts that are kept with a level, of the game's own verbs: the same at each call."""
+        kept = level.kept.get(cls)
+        if not isinstance(kept, cls):
+            kept = level.kept[cls] = cls(level)
+        return kept
 
     @cached_property
     def file_references(self) -> tuple[FileReference, ...]:
@@ -90,9 +101,14 @@ class LevelFacts:
         return reach(self.level, self.script)
 
     @cached_property
-    def carriers(self) -> Carriers:
-        """The things that bodies can stand on."""
-        return Carriers(self.level)
+    def floors(self) -> Floors:
+        """The things that bodies stand on, at all their places."""
+        return Floors.of(self.level)
+
+    @cached_property
+    def bare_floors(self) -> Floors:
+        """None of them."""
+        return Floors()
 
     @cached_property
     def movers(self) -> list[Mover]:
@@ -141,6 +157,17 @@ class LevelFacts:
     def overlaps(self) -> Overlaps:
         """The pairs of sectors that overlap."""
         return geometry.sector_overlaps(self.mesh)
+
+    @cached_property
+    def occluders(self) -> Occluders:
+        """The solid things."""
+        return Occluders(self.level)
+
+    def sight_faces(self, engine: Engine) -> SightFaces:
+        """Give the sectors as sight meets them in a profile."""
+        if engine not in self._sight_faces:
+            self._sight_faces[engine] = SightFaces(self.level, engine)
+        return self._sight_faces[engine]
 
     @cached_property
     def openable_surfaces(self) -> Int32:

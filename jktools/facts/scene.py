@@ -1,4 +1,4 @@
-"""One sight query over a whole level, things included: what HasLOS answers in profile `research`."""
+"""One sight query over a whole level, things included: what HasLOS answers, by profile."""
 
 from __future__ import annotations
 
@@ -8,9 +8,21 @@ from fractions import Fraction
 from functools import cmp_to_key
 from typing import NamedTuple
 
-from jktools.facts.occluders import Along, Meeting, meeting, named_things, sphere_meeting
-from jktools.facts.sightline import Sightline, describe, sightline
-from jktools.geometry import SectorMesh
+from jktools.engine import sight as rules
+from jktools.engine.profile import Engine
+from jktools.facts.level import LevelFacts
+from jktools.facts.occluders import Along, Meeting, Point, place_on, sphere_meeting
+from jktools.facts.sightline import (
+    Endpoint,
+    NoThingError,
+    Sightline,
+    describe,
+    endpoint,
+    ends,
+    sightline,
+)
+from jktools.geometry.engine_sight import Cut, Way, engine_way
+from jktools.geometry.mesh import Explanation
 from jktools.model import Level
 
 
@@ -20,13 +32,16 @@ class Verdict(enum.StrEnum):
     VISIBLE = "visible"
     NOT_VISIBLE = "not visible"
     VARIES = "varies"
-    """Blocked as the level is placed, but only by things that may be elsewhere, or not solid, at another time."""
+    """As the level is placed it is one of the two, but by what may be elsewhere, or otherwise, at another time."""
+    NULL_THING = "null thing"
+    """`openjkdf2`: an end is no thing, and HasLOS answers -1, which scripts take for true."""
 
 
 class Scene(NamedTuple):
     """A sightline, and the things on its way."""
 
     line: Sightline
+    """With NULL_THING both ends in no sector, and no steps."""
     things: tuple[Meeting, ...]
     """Those met before it ends, nearest first."""
     reached: bool
@@ -34,52 +49,121 @@ class Scene(NamedTuple):
     unjudged: int
     """Things whose templates are not at hand, so that nothing tells whether they are solid."""
     verdict: Verdict
+    openable: tuple[int, ...] = ()
+    """Surfaces that decide how far it goes, and that a COG may make see-through or solid."""
+    touching: tuple[int, ...] = ()
+    """Blocking surfaces within 1e-5 JKU of the target."""
+    cut: Cut | None = None
+    """`openjkdf2`: why the search ends early, in the last sector, and calls the rest clear."""
 
 
-def scene(level: Level, mesh: SectorMesh, a: str, b: str) -> Scene:
+def scene(facts: LevelFacts, a: str, b: str, engine: Engine = Engine.RESEARCH, *, things: bool = True) -> Scene:
     """Tell whether `b` is seen from `a` among walls and things. Raises EndpointError as `sightline` does.
 
-    Any solid thing blocks at its placed place but the two asked about, and the target is seen once its own sphere is
-    reached, even if its centre lies in a wall. Whether a segment meets a wall, a sphere or a face is exact; where a
-    wall or a face and the target's sphere lie within rounding of each other, their order is that of the rounded
-    figures. What may come into the way later, and walls that COGs open or close, are not foreseen.
+    Any solid thing that the profile counts blocks at its placed place but the two asked about, and the target is seen
+    once its own sphere is reached, even if its centre lies in a wall. Whether a segment meets a wall, a sphere or a
+    face is exact; in `research`, where a wall or a face and the target's sphere lie within rounding of each other,
+    their order is that of the rounded figures. A verdict varies where it hangs on things that may be elsewhere, or on
+    surfaces that COGs may open or close (`LevelFacts.changeable_surfaces`). What may come into the way later is not
+    foreseen. In `openjkdf2` an end that is a number and no thing of the level is the null thing.
     """
-    line = sightline(level, mesh, a, b)
-    start, end = line.origin.point, line.target.point
-    named = named_things(level)
-    own = None if line.target.thing is None else sphere_meeting(line.target.thing, start, end)
-    wall = None if line.explanation.visible else _at(line, line.explanation.steps[-1].leave)
-    limit = min((place for place in (own, wall) if place is not None), key=_ORDER, default=None)
-    met, unjudged = [], 0
-    for thing in level.things:
-        if thing in (line.origin.thing, line.target.thing):
-            continue
-        unjudged += thing.dropped is None and "collide" not in thing.resolved.values and thing.resolved.leaves_level
-        found = meeting(level, thing, start, end, named)
-        if found is not None and (limit is None or found.at.before(limit)):
-            met.append(found)
-    met.sort(key=lambda found: _ORDER(found.at))
+    if engine is Engine.RESEARCH:
+        line = sightline(facts.level, facts.mesh, a, b)
+        steps = line.explanation.steps
+        wall = None if line.explanation.visible else place_on(*_points(line), Fraction(steps[-1].leave))
+        way = None
+    else:
+        try:
+            origin, target = ends(facts.level, facts.mesh, a, b)
+        except NoThingError:
+            return _null(facts, a, b)
+        way = engine_way(facts.sight_faces(engine), origin.sector, origin.point, target.point)
+        line = Sightline(origin, target, way.explanation)
+        wall = None if way.explanation.visible else place_on(origin.point, target.point, way.at)
+    return _judged(facts, line, wall, way, engine, things=things)
+
+
+def _judged(
+    facts: LevelFacts, line: Sightline, wall: Along | None, way: Way | None, engine: Engine, *, things: bool
+) -> Scene:
+    start, end = _points(line)
+    own = None if line.target.thing is None or not things else sphere_meeting(line.target.thing, start, end)
     reached = own is not None and (wall is None or not wall.before(own))
-    return Scene(line, tuple(met), reached, unjudged, _verdict(wall is not None and not reached, met))
+    limit = own if reached else wall
+    met = _met(facts, line, limit, way, engine) if things else []
+    openable = _openable(facts, line, own if reached else None, way)
+    unjudged = len([one for one in facts.occluders.unjudged if one not in _end_things(line)]) if things else 0
+    sectors = {line.explanation.steps[-1].sector, *([line.target.sector] if line.target.sector >= 0 else [])}
+    touching = tuple(facts.sight_faces(engine).touched(sorted(sectors), end))
+    verdict = _verdict(walled=wall is not None and not reached, met=met, openable=openable)
+    return Scene(line, tuple(met), reached, unjudged, verdict, openable, touching, way.cut if way else None)
+
+
+def _met(facts: LevelFacts, line: Sightline, limit: Along | None, way: Way | None, engine: Engine) -> list[Meeting]:
+    """The things on the way before its end, nearest first; in `openjkdf2` only those in sectors that it comes to."""
+    met = [
+        found
+        for found in facts.occluders.meetings(*_points(line), engine)
+        if found.thing not in _end_things(line)
+        and (limit is None or found.at.before(limit))
+        and (way is None or found.thing.sector_index in way.entered)
+    ]
+    return sorted(met, key=lambda found: _ORDER(found.at))
+
+
+def _openable(facts: LevelFacts, line: Sightline, body: Along | None, way: Way | None) -> tuple[int, ...]:
+    """The surfaces that a COG may make see-through or solid, as far as that decides anything.
+
+    Where a wall ends the way that is the wall alone: what shuts before it changes nothing. `body` is where the way
+    meets the target's own.
+    """
+    named, level = facts.changeable_surfaces, facts.level
+    steps = line.explanation.steps
+    if line.explanation.visible or body is not None:
+        last = 1.0 if body is None else float(body)
+        deciding = [step.surface for step in steps if step.surface >= 0 and step.leave <= last]
+    else:
+        deciding = [steps[-1].surface]
+    if way is None:  # without an adjoin a surface blocks for ever
+        return tuple(s for s in deciding if s in named and level.surfaces[s].adjoin is not None)
+    if line.explanation.visible and way.cut is None:
+        deciding += facts.sight_faces(Engine.OPENJKDF2).holes(steps[-1].sector, *_points(line))
+    return tuple(s for s in deciding if s in named)
+
+
+def _verdict(*, walled: bool, met: list[Meeting], openable: tuple[int, ...]) -> Verdict:
+    if any(one.changes is None for one in met):
+        return Verdict.NOT_VISIBLE
+    return Verdict.VARIES if openable or (met and not walled) else Verdict.NOT_VISIBLE if walled else Verdict.VISIBLE
+
+
+def _null(facts: LevelFacts, a: str, b: str) -> Scene:
+    nan = float("nan")
+    found = []
+    for text in (a, b):
+        try:
+            found.append(endpoint(facts.level, facts.mesh, text))
+        except NoThingError as error:
+            found.append(Endpoint(str(error), (nan, nan, nan), -1))
+    line = Sightline(found[0], found[1], Explanation(True, ()))
+    return Scene(line, (), False, 0, Verdict.NULL_THING)
 
 
 End = int | str | Sequence[float]
 """An end of a query: a thing's number, x y z in JKU, or either as text."""
 
 
-def sight(level: Level, a: End, b: End, *, things: bool = True) -> Scene:
+def sight(level: Level, a: End, b: End, *, engine: Engine | str = Engine.RESEARCH, things: bool = True) -> Scene:
     """Explain whether `b` is seen from `a`, among walls alone or things too: `scene` for the Python API.
 
-    Raises EndpointError, a ValueError, for an end that names no thing or no point in a sector.
+    What is computed about the level is kept with it. Raises EndpointError, a ValueError, for an end that names no
+    thing or no point in a sector, and ValueError for an `engine` that does not exist.
     """
-    mesh = SectorMesh.from_level(level)
-    if things:
-        return scene(level, mesh, _text(a), _text(b))
-    line = sightline(level, mesh, _text(a), _text(b))
-    return Scene(line, (), False, 0, _verdict(not line.explanation.visible, []))
+    return scene(LevelFacts.of(level), text_of(a), text_of(b), Engine(engine), things=things)
 
 
-def _text(end: End) -> str:
+def text_of(end: End) -> str:
+    """Spell an end as `scene` reads it."""
     if isinstance(end, (int, str)):
         return str(end)
     return ",".join(repr(float(x)) for x in end)
@@ -87,28 +171,36 @@ def _text(end: End) -> str:
 
 def tell(level: Level, found: Scene) -> Iterator[str]:
     """Tell a scene, one line a sector and a thing; the verdict stands last."""
+    if found.verdict is Verdict.NULL_THING:
+        for end in (found.line.origin, found.line.target):
+            if end.sector < 0 and end.thing is None:
+                yield end.title
+        yield f"{found.verdict}: HasLOS answers {rules.NO_THING}, which scripts take for true"
+        return
     *way, walls = describe(level, found.line)
     yield from way
+    if found.cut is not None:
+        yield f"  sector {found.line.explanation.steps[-1].sector}: {found.cut.value}; the rest counts as clear"
     if walls == Verdict.NOT_VISIBLE and found.reached:
         yield f"  reaches the body of {found.line.target.title} before that"
     for one in found.things:
         how = f"the sphere of {one.thing.title}" if one.by_sphere else f"a face of {one.thing.title}"
         yield f"  meets {how} at {float(one.at):.4%}" + (f"; {one.changes}" if one.changes else "")
+    for surface in found.openable:
+        yield f"  a placed COG may change {level.surfaces[surface].title}"
+    for surface in found.touching:
+        yield f"  {found.line.target.title} touches {level.surfaces[surface].title}, within {rules.TOUCHING:g} JKU"
     if found.unjudged and found.verdict is not Verdict.NOT_VISIBLE:
         yield f"  {found.unjudged} things are not judged: their templates are not at hand"
     yield str(found.verdict)
 
 
-def _verdict(walled: bool, met: list[Meeting]) -> Verdict:
-    if walled or any(one.changes is None for one in met):
-        return Verdict.NOT_VISIBLE
-    return Verdict.VARIES if met else Verdict.VISIBLE
+def _points(line: Sightline) -> tuple[Point, Point]:
+    return line.origin.point, line.target.point
 
 
-def _at(line: Sightline, part: float) -> Along:
-    ends = zip(line.origin.point, line.target.point, strict=True)
-    length = sum(((Fraction(q) - Fraction(p)) ** 2 for p, q in ends), Fraction(0))
-    return Along(-Fraction(part) * length, Fraction(0), length)
+def _end_things(line: Sightline) -> tuple[object, object]:
+    return line.origin.thing, line.target.thing
 
 
 def _compare(one: Along, other: Along) -> int:

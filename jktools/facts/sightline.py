@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -13,6 +14,10 @@ from jktools.model import Level, Thing
 
 class EndpointError(ValueError):
     """An end that names no thing, or no point in a sector."""
+
+
+class NoThingError(EndpointError):
+    """An end that names no thing of the level, though it is a number."""
 
 
 class Endpoint(NamedTuple):
@@ -44,10 +49,12 @@ def endpoint(level: Level, mesh: SectorMesh, text: str) -> Endpoint:
     table = level.document.things
     places = np.flatnonzero(table.number == (int(text) if text.isdecimal() else -1))
     if not len(places):
-        raise EndpointError(f"{text} is neither the number of a thing nor x,y,z")
+        raise (NoThingError if re.fullmatch(r"-?[0-9]+", text) else EndpointError)(
+            f"{text} is neither the number of a thing nor x,y,z"
+        )
     thing = level.things[int(places[0])]
     if thing.dropped is not None or not np.isfinite(thing.position).all():
-        raise EndpointError(f"{thing.title} is not in the level: {thing.dropped or 'it has no position'}")
+        raise NoThingError(f"{thing.title} is not in the level: {thing.dropped or 'it has no position'}")
     x, y, z = (float(value) for value in thing.position)
     return Endpoint(thing.title, (x, y, z), thing.sector_index, thing)
 
@@ -63,12 +70,18 @@ def _point(mesh: SectorMesh, text: str) -> Endpoint:
 
 def sightline(level: Level, mesh: SectorMesh, a: str, b: str) -> Sightline:
     """Explain whether `b` is seen from `a`. Raises EndpointError, also when `a` is in no sound sector."""
+    origin, target = ends(level, mesh, a, b)
+    return Sightline(origin, target, mesh.explain(origin.sector, origin.point, target.point))
+
+
+def ends(level: Level, mesh: SectorMesh, a: str, b: str) -> tuple[Endpoint, Endpoint]:
+    """Read both ends of a query. Raises EndpointError, also when `a` is in no sound sector."""
     origin, target = endpoint(level, mesh, a), endpoint(level, mesh, b)
     if origin.sector < 0:
         raise EndpointError(f"{origin.title} lies in no sector")
     if not level.sound_sectors[origin.sector]:
         raise EndpointError(f"{origin.title} is in sector {origin.sector}, which could not be read")
-    return Sightline(origin, target, mesh.explain(origin.sector, origin.point, target.point))
+    return origin, target
 
 
 def describe(level: Level, line: Sightline) -> Iterator[str]:

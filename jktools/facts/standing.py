@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from jktools.engine.flags import SectorFlag, SurfaceFlag
 from jktools.engine.ground import Vector
-from jktools.geometry.collision import MOST_SECTORS, SOLID, Collision
+from jktools.facts.floors import Floors
+from jktools.geometry import Ending, SectorMesh
+from jktools.geometry.collision import SEAM, Collision
 from jktools.geometry.sphere import Path, distance
 from jktools.model import Level, Thing
 
 BODIES = ("actor", "player")
-STANDABLE = 0x40
-"""Thing flag: bodies stand on it."""
 _NOWHERE: Vector = (0.0, 0.0, -1.0)
 _BEARS_OTHERWISE = SectorFlag.NO_GRAVITY | SectorFlag.UNDERWATER | SectorFlag.THRUST
 """Sectors in which a body need not stand."""
@@ -36,6 +37,7 @@ def bodies(level: Level) -> list[Thing]:
         if (held := thing.resolved).type in BODIES
         and held.move == "physics"
         and thing.dropped is None
+        and np.isfinite(thing.position).all()
         and level.sound_sectors[thing.sector_index]
     ]
 
@@ -58,56 +60,39 @@ def deepest_cut(collision: Collision, thing: Thing) -> Cut | None:
     return deepest if deepest is not None and deepest.depth > 0 else None
 
 
-class Below(NamedTuple):
-    """What ends the way straight down from a body."""
+class Under(NamedTuple):
+    """What ends the way straight down from a body that nothing carries."""
 
     surface: int | None
-    """None where the way leaves the sectors through a gap."""
-    is_floor: bool
-    """Whether bodies that stick to floors take it."""
+    """The solid surface without floor flag; None where there is nothing below."""
 
 
-def below(collision: Collision, thing: Thing, carriers: Carriers) -> Below | None:
-    """What is straight below a body; None where it need not stand, or a thing may carry it.
+def unsupported(level: Level, mesh: SectorMesh, floors: Floors, things: Sequence[Thing]) -> list[Under | None]:
+    """What is straight below each of some bodies, without regard to the distance.
 
-    Sector by sector through adjoins that let things pass, without regard to the distance.
+    None for one that stands, that need not, or of which that is not known: above a floor, a thing that carries at one
+    of its places, water or a sector that could not be read, and where there is thrust or no gravity at either end of
+    the way. A body as little as SEAM below its floor stands on it, and so does one above a floor of the sector that it
+    lies in, where that is not the one which it names (on a border, by the rounding of its place).
     """
-    if carriers.may_carry(thing):
-        return None
-    sector, point = thing.sector_index, _place(thing)
-    for _ in range(MOST_SECTORS):
-        faces = collision.faces(sector)
-        if faces.flags & _BEARS_OTHERWISE:
-            return None
-        found = faces.below(point)
-        if found is None:
-            return Below(None, is_floor=False)
-        height, face, lead = found
-        if lead == SOLID:
-            return Below(face.surface, is_floor=bool(face.flags & SurfaceFlag.FLOOR))
-        sector, point = lead, (point[0], point[1], height)
-    return None
-
-
-class Carriers:
-    """The things of a level that bodies can stand on."""
-
-    def __init__(self, level: Level) -> None:
-        """Find them; one whose size only a model would tell is taken to be everywhere."""
-        held = [thing for thing in level.things if thing.resolved.flags("thingflags") & STANDABLE]
-        self._index = np.array([thing.index for thing in held], np.intp)
-        self._place = level.document.things.position[self._index].astype(np.float64)
-        sizes = [thing.resolved.values.get("size") for thing in held]
-        self._size = np.array(
-            [s.value if s is not None and isinstance(s.value, float) else np.inf for s in sizes], np.float64
-        )
-
-    def may_carry(self, body: Thing) -> bool:
-        """Whether one of them may lie below a body."""
-        point = body.position.astype(np.float64)
-        low = self._place[:, 2] - self._size <= point[2]
-        near = np.hypot(*(self._place[:, :2] - point[:2]).T) <= self._size
-        return bool((low & near & (self._index != body.index)).any())
+    if not things:
+        return []
+    points = np.array([_place(thing) for thing in things], np.float64)
+    sectors = np.array([thing.sector_index for thing in things], np.int32)
+    own = np.array([thing.index for thing in things], np.int64)
+    here = floors.below(mesh, points, sectors, own=own)
+    raised = floors.below(mesh, np.add(points, (0.0, 0.0, SEAM)), sectors, SEAM, own=own)
+    located = mesh.locate(points)
+    within = floors.below(mesh, points, np.where(located < 0, sectors, located), own=own)
+    stands = (raised.ending == Ending.FLOOR) | (within.ending == Ending.FLOOR)
+    flags = level.document.sectors.flags
+    floats = ((flags[sectors] | flags[here.sector]) & _BEARS_OTHERWISE) != 0
+    fell = np.isin(here.ending, (Ending.SOLID, Ending.NOTHING)) & ~stands
+    falls = fell & (here.other < 0) & ~floats
+    return [
+        Under(int(met) if met >= 0 else None) if falling else None
+        for met, falling in zip(here.met.tolist(), falls.tolist(), strict=True)
+    ]
 
 
 def _place(thing: Thing) -> Vector:

@@ -37,6 +37,8 @@ class Level:
         """
         self.document = document
         self.resources = resources or Resources()
+        self.kept: dict[type, object] = {}
+        """What higher layers keep with the level, one of a type; no part of it."""
 
     def __repr__(self) -> str:
         return (

@@ -45,3 +45,15 @@ def test_starts_that_are_nowhere(tmp_path: Path, start: str, message: str) -> No
     status, output = run(tmp_path, two_rooms(), start)
     assert status == 2
     assert message in output
+
+
+def test_things_carry_unless_told_not_to(tmp_path: Path) -> None:
+    """A bridge whose model is not at hand."""
+    text = two_rooms("World templates 4", "bridge none type=cog collide=3 size=.3 thingflags=0x40",
+                     "World things 4", "2: bridge bridge .5 .5 .4 0 0 0 0")  # fmt: skip
+    status, output = run(tmp_path, text, ".5,.5,.75")
+    assert status == 0
+    assert output.splitlines()[-1] == "unknown: thing 2 (bridge) may be a floor here, but its model is not at hand"
+    surfaces = CliRunner().invoke(command, [str(tmp_path / "rooms.jkl"), ".5,.5,.75", "--no-things"])
+    assert surfaces.output.splitlines()[-1] == "floor: surface 0 (sector 0, surface 0), 0.75 JKU below, in sector 0"
+    assert run(tmp_path, text, "2")[1].splitlines()[-1].startswith("floor: surface 0"), "its own body does not count"

@@ -4,21 +4,26 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from jktools.engine import orientation
-from jktools.facts.occluders import Along, _sign, body_mesh, sphere_meeting
+from jktools.facts.occluders import Along, _sign, body_mesh, faces_mesh, fan_corners, placed_vertices, sphere_meeting
 from jktools.facts.scene import Verdict, sight
+from jktools.geometry.engine_sight import Faces
 from jktools.geometry.rest_pose import rest_pose
 from jktools.model import Level
-from jktools.session import load
+from jktools.source import Source
+from jktools.syntax.assets.model import Model
+from jktools.syntax.assets.reading import read_asset
+from tests.support.assets import corpus_assets
 from tests.support.levels import CORPUS, level_of, two_rooms
 
-PACK = CORPUS / "gob/masspack.gob"
+FRONTS = 1000 if os.environ.get("JKTOOLS_FUZZ") else 40
+"""Of these also from the front, one at a time."""
 SEGMENTS = 1000 if os.environ.get("JKTOOLS_FUZZ") else 100
 
 
@@ -85,8 +90,11 @@ def test_sizes_that_make_no_sphere(size: str, met: bool) -> None:
     assert (sphere_meeting(placed(size), (5.0, 5.0, 5.0), (6.0, 5.0, 5.0)) is not None) == met
 
 
-def brute(triangles: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """For each segment, whether it crosses a triangle from one side to strictly the other; exact."""
+def brute(triangles: np.ndarray, a: np.ndarray, b: np.ndarray, *, front: bool = False) -> np.ndarray:
+    """For each segment, whether it crosses a triangle from one side to strictly the other; exact.
+
+    `front`: from its front only, and an end on it counts.
+    """
 
     def volume(p, q, r, s):
         u, v, w = q - p, r - p, s - p
@@ -113,47 +121,60 @@ def brute(triangles: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
     start, end = a[:, None], b[:, None]
     from_, to = sign(t0, t1, t2, start), sign(t0, t1, t2, end)
     sides = np.stack([sign(start, end, p, q) for p, q in ((t0, t1), (t1, t2), (t2, t0))])
+    if front:
+        return ((from_ >= 0) & (to <= 0) & (from_ > to) & (sides <= 0).all(axis=0)).any(axis=1)
     met = (sides >= 0).all(axis=0) | (sides <= 0).all(axis=0)
     return ((to != 0) & (from_ * to <= 0) & met).any(axis=1)
 
 
-@pytest.mark.skipif(not PACK.exists(), reason="the corpus of real mods is not at hand")
+def corpus_models() -> Iterator[tuple[str, Model]]:
+    for name, data in corpus_assets("3do"):
+        model = read_asset(Source(name, data), "3do")
+        assert isinstance(model, Model), name
+        yield name, model
+
+
+@pytest.mark.skipif(not CORPUS.exists(), reason="the corpus of real mods is not at hand")
 def test_the_faces_of_real_models_against_every_triangle() -> None:
+    """Each model of the corpus, turned and moved at random: from both sides, and from its front as the engine asks."""
     rng = np.random.default_rng(33)
-    models, crossed, count = set(), 0, 0
-    for path in ("azulcity", "lop_sabers", "wayrest", "desolation", "lagoon", "project", "jmmcjk"):
-        level = load(f"{PACK}!jkl/{path}.jkl")
-        for thing in level.things:
-            name = thing.resolved.name_in("model3d")
-            if name is None or name in models or (mesh := body_mesh(level, thing)) is None:
-                continue
-            models.add(name)
-            pose = rest_pose(level.resources.model(name))
-            place = thing.position.astype(float)
-            vertices = pose.vertices.astype(float) @ orientation.matrix(thing.angles).T + place
-            rings = [pose.corner_vertex[s:e] for s, e in zip(pose.corner_start, pose.corner_start[1:], strict=False)]
-            fans = np.array([[r[0], r[i], r[i + 1]] for r in rings for i in range(1, len(r) - 1)])
-            triangles = vertices[fans]
-            area = np.linalg.norm(
-                np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]), axis=1
-            )
-            triangles = triangles[area > 0]
-            low, high = vertices.min(axis=0), vertices.max(axis=0)
-            a, b = rng.uniform(low - 0.2 * (high - low) - 0.05, high + 0.2 * (high - low) + 0.05, (2, SEGMENTS, 3))
-            b[:10] = vertices[rng.integers(len(vertices), size=10)] * 2 - a[:10]  # through vertices
-            found = ~mesh.sight(a, np.zeros(SEGMENTS, np.int32), b).visible
-            np.testing.assert_array_equal(found, brute(triangles, a, b), err_msg=name)
-            crossed, count = crossed + int(found.sum()), count + SEGMENTS
-    assert len(models) >= 10
+    tried, crossed, fronts, count, asked = [], 0, 0, 0, 0
+    for name, model in corpus_models():
+        pose = rest_pose(model)
+        vertices = placed_vertices(pose, rng.uniform(-20, 20, 3), rng.uniform(-180, 180, 3))
+        corners, _ = fan_corners(vertices, pose)
+        area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+        triangles = corners[area > 0]
+        low, high = vertices.min(axis=0), vertices.max(axis=0)
+        a, b = rng.uniform(low - 0.2 * (high - low) - 0.05, high + 0.2 * (high - low) + 0.05, (2, SEGMENTS, 3))
+        b[:10] = vertices[rng.integers(len(vertices), size=10)] * 2 - a[:10]  # through vertices
+        b[10:15] = vertices[rng.integers(len(vertices), size=5)]  # to vertices
+        found = ~faces_mesh(vertices, pose).sight(a, np.zeros(SEGMENTS, np.int32), b).visible
+        np.testing.assert_array_equal(found, brute(triangles, a, b), err_msg=name)
+        normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+        height = ((a[:, None] - triangles[:, 0]) * normal).sum(axis=2) / np.linalg.norm(normal, axis=1)
+        apart = np.flatnonzero(~((height > -2e-5) & (height < 0)).any(axis=1))[:FRONTS]  # else: the 1e-5 JKU rule
+        ends = a[apart].tolist(), b[apart].tolist()
+        faces = Faces(triangles, range(len(triangles)))
+        front = [faces.first(tuple(p), tuple(q)) is not None for p, q in zip(*ends, strict=True)]
+        np.testing.assert_array_equal(front, brute(triangles, a[apart], b[apart], front=True), err_msg=name)
+        tried.append(name)
+        crossed, fronts, count = crossed + int(found.sum()), fronts + sum(front), count + SEGMENTS
+        asked += len(front)
+    assert len(tried) == sum(1 for _ in corpus_assets("3do")) >= 33
     assert 0.1 < crossed / count < 0.9
+    assert 0.1 < fronts / asked < 0.9
+    assert asked > 0.9 * len(tried) * FRONTS
 
 
-def among(*things: str, templates: tuple[str, ...] = ()) -> Level:
+def among(*things: str, templates: tuple[str, ...] = (), named: int = 99) -> Level:
+    """The two rooms with some things; `named` is the number that its one COG names."""
     kinds = ("post none type=cog collide=1 size=.1", "crate none type=cog collide=1 size=.1 move=physics", *templates)
     lines = (f"{i}: {line}" for i, line in enumerate(things))
     return level_of(
         two_rooms(
-            "World templates 9", *kinds, f"World things {len(things)}",
+            "World cogs 1", f"0: door.cog {named} -1 wind.wav", "World templates 9", *kinds,
+            f"World things {len(things)}",
             "- 0: walkplayer walkplayer .5 .5 .2 0 0 0 0", "- 1: ghost ghost .5 1.5 .5 0 90 0 1", *lines,
         )
     )  # fmt: skip
@@ -196,9 +217,8 @@ def test_a_body_in_a_wall_is_seen_once_it_is_reached() -> None:
 
 
 def test_a_thing_that_a_cog_may_name_varies() -> None:
-    """The COG of the two rooms has the value 3."""
-    found = sight(among(*ENDS, ENDS[0], "post p .5 .6 .5 0 0 0 0"), 0, 1)
-    assert [one.thing.number for one in found.things] == [3]
+    found = sight(among(*ENDS, "post p .5 .6 .5 0 0 0 0", named=2), 0, 1)
+    assert [one.thing.number for one in found.things] == [2]
     assert found.verdict is Verdict.VARIES
 
 

@@ -88,6 +88,26 @@ not visible
     assert run(tmp_path, jkl(TWO_ROOMS, adjoin_flags=6), "1,1,1", "3,1,1") == (0, expected)
 
 
+def test_by_the_decompiled_engine(tmp_path: Path) -> None:
+    words = (jkl(TWO_ROOMS, adjoin_flags=6), "0", "2", "--engine", "openjkdf2")
+    assert run(tmp_path, *words) == (
+        0,
+        """\
+thing 2 (ghost) is not in the level: sector 7 does not exist
+null thing: HasLOS answers -1, which scripts take for true
+""",
+    )
+    status, output = run(tmp_path, jkl(TWO_ROOMS), "0", "4,1,1", "--engine", "openjkdf2")
+    assert status == 0
+    wall = output.splitlines()[-3:]
+    assert wall[0].startswith("  sector 1: blocked by surface ")
+    assert wall[0].endswith("which has no adjoin at 100.0000%")
+    assert wall[1].startswith("  (4, 1, 1) touches surface ")
+    assert wall[2] == "not visible"
+    assert run(tmp_path, jkl(TWO_ROOMS), "0", "4,1,1")[1].splitlines()[-1] == "visible"
+    assert run(tmp_path, jkl(TWO_ROOMS), "0", "1", "--engine", "quake")[0] == 2
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [

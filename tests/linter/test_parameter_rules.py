@@ -175,9 +175,24 @@ def test_a_start_needs_a_floor_unless_it_swims_or_is_carried() -> None:
         "thing 0 (walkplayer) starts a player, but surface 0 (sector 0, surface 0) below has no floor flag (0x1)"
     ]
     assert messages("JK420", *bare, "Sector 0", "Flags 0x2") == []
-    carried = ("World templates 4", "bridge none type=cog size=.3 thingflags=0x40", "World things 4")
+    carried = ("World templates 4", "bridge none type=cog collide=3 size=.3 thingflags=0x40", "World things 4")
     assert messages("JK420", *bare, *carried, "2: bridge bridge .6 .5 .1 0 0 0 0") == []
     assert len(messages("JK420", *bare, *carried, "2: bridge bridge .6 1.5 .1 0 0 0 1")) == 1
+
+
+@pytest.mark.parametrize(
+    ("place", "told"),
+    [
+        (".5 .5 0", 0),  # on the floor
+        (".5 .5 -.000005", 0),
+        (".5 .5 -.00002", 1),
+        (".5 1.2 .5", 0),  # in the room next to the one that it names
+        ("5 5 5", 1),
+        ("1e99 5 5", 0),
+    ],
+)
+def test_a_start_stands_on_the_floor_of_the_sector_that_it_lies_in(place: str, told: int) -> None:
+    assert len(messages("JK420", "World things 3", f"0: walkplayer walkplayer {place} 0 0 0 0")) == told
 
 
 def test_frames_are_looked_for_where_they_lie() -> None:

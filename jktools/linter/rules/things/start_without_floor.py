@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
-from jktools.facts.standing import below, bodies
+from jktools.facts.standing import bodies, unsupported
 from jktools.linter.rule import Finding, rule
 from jktools.linter.rules.things.no_player_start import PLAYER
 from jktools.model import Level
@@ -28,9 +28,9 @@ def start_without_floor(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World surfaces 12
         0: 0 0x5 0x4 4 3 1 -1 0 4 0,0 1,1 2,2 3,3 1 1 1 1
     """
-    for thing in bodies(level):
-        found = below(facts.collision, thing, facts.carriers) if thing.resolved.type == PLAYER else None
-        if found is None or found.is_floor:
+    starts = [thing for thing in bodies(level) if thing.resolved.type == PLAYER]
+    for thing, found in zip(starts, unsupported(level, facts.mesh, facts.floors, starts), strict=True):
+        if found is None:
             continue
         surface = None if found.surface is None else level.surfaces[found.surface]
         yield Finding(
