@@ -98,3 +98,11 @@ def test_a_player_starts_somewhere() -> None:
     child = ("World templates 4", "kyle walkplayer size=.07", *without[:1], "0: kyle kyle .5 .5 .2 0 0 0 0")
     assert messages("JK408", *child) == []
     assert messages("JK408", "World things 3", "0: jedi jedi .5 .5 .2 0 0 0 0") == []
+
+
+def test_a_flood_of_unknown_parameters_is_cut_off() -> None:
+    lines = (f"guard{i} none type=actor no{i}=1" for i in range(1500))
+    found = messages("JK410", "World templates 1503", *lines)
+    assert len(found) == 1000
+    assert found[0].endswith("has no0=1, but the engine knows no such parameter")
+    assert found[-1].endswith("has no999=1, but the engine knows no such parameter; the file has 500 more of them")

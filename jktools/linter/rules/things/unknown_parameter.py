@@ -17,6 +17,9 @@ WITHOUT_CURE = "remove it; docs/parameters.md lists those that there are"
 MOST_CURES = 200
 """Different words for which the nearest key is sought; a file with more is no level."""
 
+MOST_TOLD = 1000
+"""Findings of one file; how many more there are is told with the last."""
+
 LEAST_START = 3
 """Letters of the only parameter that begins like a short word, as `pup` of `puppet`."""
 
@@ -42,19 +45,24 @@ def unknown_parameter(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         guard none type=actor puppet=st.pup thingflags=0x400
     """
     cures: dict[tuple[str, str], str] = {}
-    for held in (*level.resolved_templates.entries, *level.resolved_things):
-        for ignored in held.ignored:
-            if ignored.reason is not Reason.UNKNOWN:
-                continue
-            word = (ignored.key, ignored.text)
-            if len(cures) < MOST_CURES:
-                cures.setdefault(word, _cure(ignored))
-            yield Finding(
-                Label(ignored.origin.span),
-                f"{held.owner.title} has {ignored.origin.span.text}, but the engine knows no such parameter",
-                cures.get(word, WITHOUT_CURE),
-                held.owner.subject,
-            )
+    unknown = [
+        (held.owner, ignored)
+        for held in (*level.resolved_templates.entries, *level.resolved_things)
+        for ignored in held.ignored
+        if ignored.reason is Reason.UNKNOWN
+    ]
+    for count, (owner, ignored) in enumerate(unknown[:MOST_TOLD], 1):
+        word = (ignored.key, ignored.text)
+        if len(cures) < MOST_CURES:
+            cures.setdefault(word, _cure(ignored))
+        left = len(unknown) - count if count == MOST_TOLD else 0
+        yield Finding(
+            Label(ignored.origin.span),
+            f"{owner.title} has {ignored.origin.span.text}, but the engine knows no such parameter"
+            + (f"; the file has {left} more of them" if left else ""),
+            cures.get(word, WITHOUT_CURE),
+            owner.subject,
+        )
 
 
 def _cure(ignored: Ignored) -> str:
