@@ -15,7 +15,7 @@ from tests.support.scripts import script_of, whole
 WITHOUT_EXAMPLES = {
     "JK009", "JK010", "JK120", "JK061", "JK062", "JK065", "JK656", "JK512", "JK513", "JK514", "JK515", "JK516",
     "JK802", "JK803", "JK804", "JK901", "JK902",
-    "JK034", "JK036", "JK037", "JK039", "JK816", "JK817", "JK818", "JK819", "JK820", "JK822",
+    "JK426", "JK034", "JK036", "JK037", "JK039", "JK816", "JK817", "JK818", "JK819", "JK820", "JK822",
     "JK110", "JK111", "JK112", "JK113", "JK142", "JK114", "JK140", "JK150", "JK151", "JK830", "JK831", "JK832",
 }  # fmt: skip
 """Hundreds of faults, of nested levels or records; binary files, models, a cut-off pack, a bug: tested elsewhere."""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tests.support.levels import level_of, two_rooms
+from jktools.linter import lint
+from jktools.linter.registry import find_rule
+from tests.support.levels import FILE, level_of, level_with_files, two_rooms
 from tests.support.lint import findings, marked, messages
 
 GHOST = "{number}: ghost ghost .5 1.5 .5 0 90 0 {sector}"
@@ -106,3 +108,52 @@ def test_a_flood_of_unknown_parameters_is_cut_off() -> None:
     assert len(found) == 1000
     assert found[0].endswith("has no0=1, but the engine knows no such parameter")
     assert found[-1].endswith("has no999=1, but the engine knows no such parameter; the file has 500 more of them")
+
+
+PANE = """section: header
+3DO 2.1
+section: modelresource
+materials 0
+section: geometrydef
+radius 1.0
+insert offset 0 0 0
+geosets 1
+geoset 0
+meshes 1
+mesh 0
+name pane
+radius 1.0
+geometrymode 4
+lightingmode 3
+texturemode 1
+vertices 3
+0: -0.2 0 0 0
+1: 0.2 0 0 0
+2: 0 0.2 0 0
+texture vertices 0
+vertex normals
+0: 0 0 1
+1: 0 0 1
+2: 0 0 1
+faces 1
+0: -1 0x0 4 3 1 0 3 0,0 1,0 2,0
+face normals
+0: 0 0 1
+section: hierarchydef
+hierarchy nodes 1
+0: 0x0 0x0 0 -1 -1 -1 0 0 0 0 0 0 0 0 0 0 0 pane"""
+
+
+@pytest.mark.parametrize(("y", "reach"), [(0.7, None), (0.84, None), (0.9, "0.1")])
+def test_a_model_that_reaches_into_the_next_sector(y: float, reach: str | None) -> None:
+    lines = [
+        "World templates 4",
+        "pane none type=cog model3d=pane.3do",
+        "World things 3",
+        f"1: pane pane .5 {y} .5 0 0 0 0",
+    ]
+    with level_with_files(*lines, f"{FILE}3do/pane.3do", *PANE.splitlines()) as level:
+        found = [d.message for d in lint(level, [find_rule("JK426")])]
+    assert len(found) == (reach is not None)
+    if reach:
+        assert found[0].startswith(f"the model of thing 1 (pane) reaches {reach} JKU through the adjoin of surface 3 ")
