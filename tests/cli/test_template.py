@@ -9,7 +9,7 @@ import jsonschema
 import pytest
 
 from jktools.cli import main
-from tests.support.levels import CORPUS, ROOT, two_rooms
+from tests.support.levels import ROOT, two_rooms
 
 LIBRARY = """# a library
 base none type=weapon move=physics size=.1 damage=5
@@ -114,19 +114,6 @@ def test_without_a_name_the_templates_are_listed(capsys: pytest.CaptureFixture[s
 ])  # fmt: skip
 def test_what_is_not_there_is_told(capsys: pytest.CaptureFixture[str], words: tuple[str, ...], told: str) -> None:
     assert told in out(capsys, *words, status=2)
-
-
-def test_the_transcript_in_the_readme_is_real(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    if not CORPUS.exists():
-        pytest.skip("the corpus of real mods is not at hand")
-    monkeypatch.chdir(CORPUS / "gob")
-    command = "$ jktools template masspack.gob!jkl/lagoon.jkl walkplayer\n"
-    _, _, behind = (ROOT / "README.md").read_text().partition(command)
-    shown, _, _ = behind.partition("\n```")
-    assert shown
-    assert out(capsys, "masspack.gob!jkl/lagoon.jkl", "walkplayer").rstrip("\n") == shown
 
 
 def test_a_level_without_templates_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
