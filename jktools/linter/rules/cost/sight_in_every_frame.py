@@ -12,13 +12,15 @@ from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK660", "sight-in-every-frame", severity=Severity.WARNING, since="0.1.0")
+@rule("JK660", "sight-in-every-frame", severity=Severity.WARNING, since="0.1.0", on=False)
 def sight_in_every_frame(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a test of sight in a pulse or timer that is to come more often than the game draws frames.
 
     ## Why it matters
     The test then runs in every frame, 50 times a second and more on a fast machine: what it costs grows with the
     player's frame rate. Eyes are slower: twice a second is enough for most of what a script does with the answer.
+
+    The rule is off: a pulse that turns itself off counts as lasting.
 
     ## Bad
         World templates 4

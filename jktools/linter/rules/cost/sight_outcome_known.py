@@ -12,7 +12,7 @@ from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK659", "sight-outcome-known", severity=Severity.WARNING, since="0.1.0")
+@rule("JK659", "sight-outcome-known", severity=Severity.WARNING, since="0.1.0", on=False)
 def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a call of `HasLOS` that always finds the same, since nothing that it depends on can change.
 
@@ -20,6 +20,9 @@ def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     The test costs time and decides nothing. Reported is a call between things that stay where they are placed, when
     no script can open or shut what the segment meets, and, for one that always succeeds, when the level places no other
     solid thing. Bodies that walk between are left out: in the decompiled engine they do not block.
+
+    The rule is off: it does not yet see ends that a script destroys, items that a player takes, or solid things that
+    a script creates or makes solid on the way.
 
     ## Bad
         World adjoins 2
