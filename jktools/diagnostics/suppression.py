@@ -38,7 +38,7 @@ LINES = CommentStyle(
 """Levels, and the headers of scripts."""
 
 _CODE = re.compile(
-    r""""(?:[^\\"]++|\\.)*+"|'(?:[^\\']++|\\.)*+'|(?://|\#)(?:[ \t]*jktools:[ \t]*(?P<text>[^\r\n]*))?[^\n]*"""
+    r""""(?:[^\\"]++|\\.)*"|'(?:[^\\']++|\\.)*'|(?://|\#)(?:[ \t]*jktools:[ \t]*(?P<text>[^\r\n]*))?[^\n]*"""
 )
 _CODE_EMPTY = re.compile(r"[ \t]*(//|#|$)")
 

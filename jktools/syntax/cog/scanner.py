@@ -21,15 +21,16 @@ one behind it and an end mark (yy_get_next_buffer in lex.yy.c of the decompiled 
 
 END_WORD = "end"
 
+# Optional groups are not possessive: before 3.11.5 Python leaves the position behind what such a group tried in vain.
 _TOKEN = re.compile(
     r"""
     [ \t\v\f\r\n]*+ (?: (?://|\#)[^\n]*+ [ \t\v\f\r\n]*+ )*+
     (?: ([A-Za-z_][A-Za-z0-9_]*+)
       | ( [(){};,:\[\]+*/%^~-] | [=!<>]=? | &&? | \|\|? | \.(?![0-9]) )
-      | ( 0[xX][0-9a-fA-F]++ | (?: [0-9]++ (?: \.[0-9]*+ (?:[eE][-+]?[0-9]++)?+ | [eE][-+]?[0-9]++ )?+ )
-          | \.[0-9]++ (?:[eE][-+]?[0-9]++)?+ )
-      | "((?: [^\\"]++ | \\. )*+)"
-      | '((?: [^\\']++ | \\. )*+)'
+      | ( 0[xX][0-9a-fA-F]++ | (?: [0-9]++ (?: \.[0-9]*+ (?:[eE][-+]?[0-9]++)? | [eE][-+]?[0-9]++ )? )
+          | \.[0-9]++ (?:[eE][-+]?[0-9]++)? )
+      | "((?: [^\\"]++ | \\. )*)"
+      | '((?: [^\\']++ | \\. )*)'
       | ([^\n]) )
     """,
     re.VERBOSE,

@@ -10,7 +10,7 @@ from jktools.facts import ScriptFacts
 from jktools.linter.rule import Finding, rule
 from jktools.syntax.cog import Script
 
-_COMMENT = re.compile(r"""(?://|\#)[^\n]*|"(?:[^\\"]++|\\.)*+"|\'(?:[^\\\']++|\\.)*+\'""")
+_COMMENT = re.compile(r"""(?://|\#)[^\n]*|"(?:[^\\"]++|\\.)*"|\'(?:[^\\\']++|\\.)*\'""")
 _LONE_RETURN = re.compile(r"\r(?!\n)")
 _SWALLOWED = re.compile(r"\r(?=[^\r\n]*[^\s])")
 

@@ -10,7 +10,7 @@ from jktools.facts import ScriptFacts
 from jktools.linter.rule import Finding, rule
 from jktools.syntax.cog import Script
 
-_TEXT = re.compile(r"(?:\s+|(?://|\#|;)[^\n]*|end\b)*+([^\s][^\r\n]*)", re.IGNORECASE)
+_TEXT = re.compile(r"(?:\s+|(?://|\#|;)[^\n]*|(?=end\b)end)*+([^\s][^\r\n]*)", re.IGNORECASE)
 """The first text that is neither blank, nor a comment of code or header, nor one more `end`."""
 
 
