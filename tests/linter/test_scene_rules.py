@@ -145,3 +145,14 @@ def test_items_out_of_reach_are_named_once_for_each_part() -> None:
     )
     assert len(found.related) == 1
     assert findings("JK226", *shields, *placed) == []
+
+
+@pytest.mark.parametrize(("back", "size"), [
+    ("0x5", "one sector"), ("0x7", "one sector, from which ways lead out, but none in"),
+])  # fmt: skip
+@pytest.mark.parametrize("code", ["JK226", "JK227"])
+def test_a_part_that_only_leads_out_is_told_as_one(code: str, back: str, size: str) -> None:
+    one_way = ("World adjoins 2", "0: 0x5 1 1", f"1: {back} 0 1", "World cogs 0", "- 0: door.cog 3 -1 wind.wav")
+    shield = ("World templates 4", "shield none type=item", "World things 5", "2: shield shield .5 1.5 .2 0 0 0 1")
+    (found,) = findings(code, *one_way, *(shield if code == "JK226" else ()))
+    assert f"({size})" in found.message
