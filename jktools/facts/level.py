@@ -11,7 +11,7 @@ from jktools.facts.bodies import Walker, walkers
 from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.floors import Floors
-from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_sight, runners, with_created
+from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, Verdicts, asks_for_sight, runners, with_created
 from jktools.facts.islands import Island, islands
 from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
@@ -20,7 +20,11 @@ from jktools.facts.openings import MOVEMENT, NOT_FOR_PLAYERS, VISIBLE, cleared_b
 from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
+from jktools.facts.scene import Scene as SightScene
+from jktools.facts.scene import scene
 from jktools.facts.script import ScriptFacts, script_facts
+from jktools.facts.sightline import EndpointError
+from jktools.facts.still import Still
 from jktools.facts.travel import PLAYER, landings, passages, reached, rides
 from jktools.geometry import (
     Accuracy,
@@ -296,7 +300,17 @@ class LevelFacts:
         if not any(asks_for_sight(runner) for runner in self.runners):
             return []
         scripts = with_created(self.level, self.runners, self.reach)
-        return Scene(self.level, scripts, SightWork(self.level, self.mesh, self.changeable_surfaces)).hotspots()
+        still = Still(self.level, self.instances, scripts, self.reach)
+        verdicts = Verdicts((t for t in self.level.things if t.dropped is None), still, self._seen)
+        work = SightWork(self.level, self.mesh, self.changeable_surfaces)
+        return Scene(self.level, scripts, work, verdicts).hotspots()
+
+    def _seen(self, a: int, b: int, engine: Engine) -> SightScene | None:
+        """What is seen of one thing from another, by their numbers; None where one is not in the level."""
+        try:
+            return scene(self, str(a), str(b), engine)
+        except EndpointError:
+            return None
 
     def cel_count(self, material: int) -> int | None:
         """How many cels a material of the level's list has; None where its file is not at hand or is broken."""
