@@ -12,14 +12,16 @@ from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.floors import Floors
 from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_sight, runners, with_created
+from jktools.facts.islands import Island, islands
 from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
 from jktools.facts.occluders import Occluders
-from jktools.facts.openings import MOVEMENT, VISIBLE, opened_by_cogs
+from jktools.facts.openings import MOVEMENT, NOT_FOR_PLAYERS, VISIBLE, cleared_by_cogs, opened_by_cogs
 from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
 from jktools.facts.script import ScriptFacts, script_facts
+from jktools.facts.travel import PLAYER, landings, passages, reached, rides
 from jktools.geometry import (
     Accuracy,
     Alignment,
@@ -178,6 +180,27 @@ class LevelFacts:
     def enterable_surfaces(self) -> Int32:
         """Surfaces that COGs may let things pass through; of a script that cannot be read, as `openable_surfaces`."""
         return opened_by_cogs(self.level, self.instances, MOVEMENT)
+
+    @cached_property
+    def ways(self) -> list[list[int]]:
+        """From each sector, those that a player comes to from there through an adjoin."""
+        return passages(
+            self.level, self.enterable_surfaces, cleared_by_cogs(self.level, self.instances, NOT_FOR_PLAYERS)
+        )
+
+    @cached_property
+    def visited(self) -> frozenset[int] | None:
+        """The sectors that players come to, by `jktools.facts.travel`; None where that is not known."""
+        starts = {t.sector_index for t in self.level.things if t.dropped is None and t.resolved.type == PLAYER}
+        put = landings(self.level, self.instances, self.runners)
+        if put is None or not starts:
+            return None
+        return reached(self.ways, starts | put, rides(self.mesh, self.movers))
+
+    @cached_property
+    def islands(self) -> list[Island]:
+        """The parts of the level that no player comes to; none where that is not known."""
+        return islands(self.level, self.visited, self.ways, self.instances)
 
     @cached_property
     def visibility(self) -> VisibleSectors:
