@@ -57,6 +57,8 @@ _SENDERS = {
 _ARMED: tuple[tuple[int, SourceKind, int], ...] = ((0x4, "pulse", PULSE), (0x8, "timer", TIMER))
 """Bits of a script's `flags` with which its pulse or timer is set from the start, for the first frame and each later
 one: the engine keeps the same bits for what SetPulse and SetTimer set (sithCogScript_Tick in the decompiled engine)."""
+LEAST_DELAY = -0.001
+"""Seconds: SetTimerEx takes what is no whole millisecond below 0 (sithCogFunction_SetTimerEx)."""
 _MESSAGE_ARGUMENT = {"sendmessage": 1, "sendmessageex": 1, "sendmessageexradius": 3}
 
 
@@ -96,7 +98,7 @@ class Source:
         least, most = ranges.as_flex(self.seconds)
         if self.kind in ("thing pulse", "thing timer"):
             return least == most == 0  # what is below 0 comes every frame
-        return most < 0 if self.kind == "each timer" else most <= 0
+        return most <= (LEAST_DELAY if self.kind == "each timer" else 0.0)
 
 
 @dataclass(frozen=True, slots=True)

@@ -128,6 +128,23 @@ def components(blocks: Sequence[Block], inside: frozenset[int], cut: int = -1) -
     return found
 
 
+def endless_parts(flow: Flow, known: Known, reach: Reach) -> list[frozenset[int]]:
+    """The blocks of each loop that nothing ends and that never sleeps: the game hangs in it."""
+    parts = [frozenset(part) for part in components(flow.blocks, frozenset(known.visited))]
+    return [part for part in parts if not _can_end(flow, known, reach, part)]
+
+
+def _can_end(flow: Flow, known: Known, reach: Reach, part: frozenset[int]) -> bool:
+    blocks = flow.blocks
+    if any(blocks[i].returns or any(s not in part and s in known.visited for s in blocks[i].successors) for i in part):
+        return True
+    called = reach.blocks_from(blocks[i].callee for i in part if blocks[i].callee >= 0)
+    return any(
+        op is Op.CALL and (verb.sleeps or verb.game == "user" or verb.name == "jkendlevel")
+        for i in part.union(called) for op, verb, _ in blocks[i].code
+    )  # fmt: skip
+
+
 class Counter:
     """Counts passes within the code that one start leads to."""
 
@@ -254,7 +271,7 @@ class Counter:
 
     def _sleep_arguments(self, block: Block) -> list[ranges.Range]:
         return [
-            self.known.arguments[node][0]  # type: ignore[index]
+            self.known.arguments[node][0]
             for op, arg, node in block.code
             if op is Op.CALL and arg.name == "sleep" and node in self.known.arguments
         ]
