@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
-from jktools.facts.cog.rates import FRAMES_PER_SECOND
-from jktools.linter.hotspots import call_label, place_of, subject_of
+from jktools.facts.cog.repeats import FRAMES_PER_SECOND
+from jktools.linter.hotspots import call_label, ours, place_of, subject_of
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -67,8 +67,8 @@ def sight_in_every_frame(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         end
     """
     frame = 1 / FRAMES_PER_SECOND
-    for spot in facts.hotspots:
-        if 0 < spot.pulse < frame and spot.calls_per_second > 0:
+    for spot in ours(facts):
+        if 0 < spot.pulse < frame and spot.lasts:
             yield Finding(
                 place_of(spot.runner),
                 f"{spot.runner.title} tests sight every {spot.pulse:.6g} s, but a frame takes {frame:g} s",
