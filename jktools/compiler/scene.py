@@ -31,7 +31,7 @@ def hotspots(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> 
         "verb": strings.indices(spot.site.verb.name for spot in spots),
         "line": np.array([spot.runner.script.span(spot.site.call).first.line for spot in spots]),
         "things": np.array([len(spot.runner.things) for spot in spots]),
-        "more": np.array([spot.runner.more for spot in spots]),
+        "more": np.array([spot.more for spot in spots]),
         "calls_per_second": np.array([spot.calls_per_second for spot in spots]),
         "mean_sectors": np.array([spot.cost.mean_sectors for spot in spots]),
         "mean_surfaces": np.array([spot.cost.mean_surfaces for spot in spots]),

@@ -11,7 +11,19 @@ from jktools.facts.bodies import Walker, walkers
 from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.floors import Floors
-from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, Verdicts, asks_for_sight, runners, with_created
+from jktools.facts.hotspots import (
+    Hotspot,
+    Runner,
+    Scene,
+    SightWork,
+    Verdicts,
+    class_scripts,
+    game_runners,
+    game_scripts,
+    mentions_sight,
+    runners,
+    with_created,
+)
 from jktools.facts.islands import Island, islands
 from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
@@ -268,6 +280,11 @@ class LevelFacts:
         except InputError:
             return None
 
+    def is_own_script(self, name: str) -> bool:
+        """Whether a script comes with the level, and not from a base."""
+        found = self.level.resources.find(Kind.COG, name)
+        return found is not None and found.own
+
     @cached_property
     def instances(self) -> tuple[InstanceFacts, ...]:
         """The placed scripts, one for each line of the level's `cogs`.
@@ -297,13 +314,12 @@ class LevelFacts:
     @cached_property
     def hotspots(self) -> list[Hotspot]:
         """The calls of verbs of sight, the dearest first."""
-        if not any(asks_for_sight(runner) for runner in self.runners):
+        if not self._may_ask_for_sight:
             return []
-        scripts = with_created(self.level, self.runners, self.reach)
-        still = Still(self.level, self.instances, scripts, self.reach)
+        still = Still(self.level, self.instances, self.running, self.reach)
         verdicts = Verdicts((t for t in self.level.things if t.dropped is None), still, self._seen)
         work = SightWork(self.level, self.mesh, self.changeable_surfaces)
-        return Scene(self.level, scripts, work, verdicts).hotspots()
+        return Scene(self.level, self.running, work, verdicts, self.reach.created).hotspots()
 
     def _seen(self, a: int, b: int, engine: Engine) -> SightScene | None:
         """What is seen of one thing from another, by their numbers; None where one is not in the level."""
@@ -311,6 +327,19 @@ class LevelFacts:
             return scene(self, str(a), str(b), engine)
         except EndpointError:
             return None
+
+    @cached_property
+    def _may_ask_for_sight(self) -> bool:
+        """Whether the text of any script that could run names a verb of sight: a quick look before a long one."""
+        names = [cog.name.lower() for cog in self.level.cogs]
+        names += [*class_scripts(self.level), *(name for name, _ in game_scripts(self.level))]
+        return any(mentions_sight(self.level.resources, name) for name in dict.fromkeys(names))
+
+    @cached_property
+    def running(self) -> list[Runner]:
+        """The scripts that run, with the class COGs that only things to come carry, and the game's own."""
+        found = with_created(self.level, self.runners, self.reach, self.script)
+        return [*found, *game_runners(self.level, self.script)]
 
     def cel_count(self, material: int) -> int | None:
         """How many cels a material of the level's list has; None where its file is not at hand or is broken."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
-from jktools.linter.hotspots import place_of, subject_of
+from jktools.linter.hotspots import ours, place_of, subject_of
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -58,7 +58,7 @@ def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             return;
         end
     """
-    for spot in facts.hotspots:
+    for spot in ours(facts):
         if spot.finds is not None and spot.handlers:
             yield Finding(
                 place_of(spot.runner),
