@@ -16,6 +16,7 @@ from jktools.facts.hotspots import (
     Runner,
     Scene,
     SightWork,
+    Verdicts,
     class_scripts,
     game_runners,
     game_scripts,
@@ -31,7 +32,11 @@ from jktools.facts.openings import MOVEMENT, NOT_FOR_PLAYERS, VISIBLE, cleared_b
 from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
+from jktools.facts.scene import Scene as SightScene
+from jktools.facts.scene import scene
 from jktools.facts.script import ScriptFacts, script_facts
+from jktools.facts.sightline import EndpointError
+from jktools.facts.still import Still
 from jktools.facts.travel import PLAYER, landings, passages, reached, rides
 from jktools.geometry import (
     Accuracy,
@@ -311,8 +316,17 @@ class LevelFacts:
         """The calls of verbs of sight, the dearest first."""
         if not self._may_ask_for_sight:
             return []
+        still = Still(self.level, self.instances, self.running, self.reach)
+        verdicts = Verdicts((t for t in self.level.things if t.dropped is None), still, self._seen)
         work = SightWork(self.level, self.mesh, self.changeable_surfaces)
-        return Scene(self.level, self.running, work, self.reach.created).hotspots()
+        return Scene(self.level, self.running, work, verdicts, self.reach.created).hotspots()
+
+    def _seen(self, a: int, b: int, engine: Engine) -> SightScene | None:
+        """What is seen of one thing from another, by their numbers; None where one is not in the level."""
+        try:
+            return scene(self, str(a), str(b), engine)
+        except EndpointError:
+            return None
 
     @cached_property
     def _may_ask_for_sight(self) -> bool:
