@@ -286,6 +286,23 @@ class CompiledLevel:
         }
 
     @property
+    def cut_anyway(self) -> bool:
+        """Whether it leaves out templates and names that nothing is known to reach."""
+        return bool(self._root.Settings().CutAnyway())
+
+    @property
+    def only(self) -> list[str]:
+        """The passes that alone were asked for; none for all, and for files before 1.2, which do not tell."""
+        settings = self._root.Settings()
+        return [self._text(settings.Only(i)) for i in range(settings.OnlyLength())]
+
+    @property
+    def skip(self) -> list[str]:
+        """The passes that were not to run; none for files before 1.2, which do not tell."""
+        settings = self._root.Settings()
+        return [self._text(settings.Skip(i)) for i in range(settings.SkipLength())]
+
+    @property
     def counts(self) -> dict[str, int]:
         """How many of each kind of object it holds."""
         counted = {

@@ -109,7 +109,12 @@ def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcome
     offsets["settings"] = _table(
         builder, "Settings",
         game=builder.CreateString(level.game), engine=builder.CreateString(settings.engine),
-        accuracy=builder.CreateString(settings.accuracy),
+        accuracy=builder.CreateString(settings.accuracy), cut_anyway=settings.cut_anyway,
+        **{
+            name: _strings(builder, sorted(passes))
+            for name, passes in (("only", settings.only), ("skip", settings.skip))
+            if passes
+        },
     )  # fmt: skip
     offsets["inputs"] = _inputs(file, level)
     offsets["checksum"] = file.vector(np.zeros(hashlib.sha256().digest_size, np.uint8), shared=False)
@@ -188,6 +193,10 @@ def _offsets(builder: flatbuffers.Builder, offsets: Sequence[int]) -> int:
     for offset in reversed(offsets):
         builder.PrependUOffsetTRelative(offset)
     return int(builder.EndVector())
+
+
+def _strings(builder: flatbuffers.Builder, texts: Sequence[str]) -> int:
+    return _offsets(builder, [builder.CreateString(text) for text in texts])
 
 
 def _text(file: _File, texts: Sequence[str]) -> dict[str, int]:

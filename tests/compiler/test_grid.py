@@ -78,7 +78,8 @@ def test_normals_turn_with_their_polygons_but_for_slivers() -> None:
 
 
 @pytest.mark.parametrize(
-    ("width", "step", "kind"), [(3.9, 2.0**-14, "<i2"), (4.0, 2.0**-13, "<i2"), (100, 2.0**-9, "<i2"), (200, 2.0**-14, "<i4")]
+    ("width", "step", "kind"),
+    [(3.9, 2.0**-14, "<i2"), (4.0, 2.0**-13, "<i2"), (100, 2.0**-9, "<i2"), (200, 2.0**-14, "<i4")],
 )  # fmt: skip
 def test_the_step_follows_from_the_extent(width: float, step: float, kind: str) -> None:
     grid = vertex_grid(np.array([[5, 5, 5], [5 + width, 5, 5]], np.float32))
