@@ -4105,7 +4105,8 @@ inline ::flatbuffers::Offset<Lights> CreateLightsDirect(
       amount_packed);
 }
 
-/// Templates of type particle that the level can reach, as the engine takes their values.
+/// Templates of type particle that the level can reach, as the engine takes their values. Of a cloud that is made of a PAR
+/// file, count, size and material are the file's, and its places: range, minsize, pitchrange and yawrange then do nothing.
 struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef ParticlesBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
@@ -4149,7 +4150,7 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *cels() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CELS);
   }
-  /// Particles that are created: the count from 0 to 256.
+  /// Particles that are created: the count from 0 to 256; -1 for a PAR file that is not at hand.
   const ::flatbuffers::Vector<int32_t> *spawned() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SPAWNED);
   }
@@ -4174,6 +4175,7 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *maxthrust() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_MAXTHRUST);
   }
+  /// NaN for a PAR file that is not at hand.
   const ::flatbuffers::Vector<float> *elementsize() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_ELEMENTSIZE);
   }
@@ -4183,7 +4185,7 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *yawrange() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_YAWRANGE);
   }
-  /// 0 fully bright, 2 lit.
+  /// 0 fully bright, 2 lit; -1 where a PAR file says it.
   const ::flatbuffers::Vector<int32_t> *light_mode() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_LIGHT_MODE);
   }

@@ -6230,7 +6230,8 @@ def LightsEnd(builder):
 
 
 
-# Templates of type particle that the level can reach, as the engine takes their values.
+# Templates of type particle that the level can reach, as the engine takes their values. Of a cloud that is made of a PAR
+# file, count, size and material are the file's, and its places: range, minsize, pitchrange and yawrange then do nothing.
 class Particles(object):
     __slots__ = ['_tab']
 
@@ -6336,7 +6337,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
-    # Particles that are created: the count from 0 to 256.
+    # Particles that are created: the count from 0 to 256; -1 for a PAR file that is not at hand.
     # Particles
     def Spawned(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -6529,6 +6530,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
+    # NaN for a PAR file that is not at hand.
     # Particles
     def Elementsize(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -6610,7 +6612,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
         return o == 0
 
-    # 0 fully bright, 2 lit.
+    # 0 fully bright, 2 lit; -1 where a PAR file says it.
     # Particles
     def LightMode(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
