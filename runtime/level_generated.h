@@ -389,7 +389,10 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
     VT_GAME = 4,
     VT_ENGINE = 6,
-    VT_ACCURACY = 8
+    VT_ACCURACY = 8,
+    VT_CUT_ANYWAY = 10,
+    VT_ONLY = 12,
+    VT_SKIP = 14
   };
   const ::flatbuffers::String *game() const {
     return GetPointer<const ::flatbuffers::String *>(VT_GAME);
@@ -400,6 +403,18 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::String *accuracy() const {
     return GetPointer<const ::flatbuffers::String *>(VT_ACCURACY);
   }
+  /// Whether templates and names were left out that nothing is known to reach. Since 1.2.
+  bool cut_anyway() const {
+    return GetField<uint8_t>(VT_CUT_ANYWAY, 0) != 0;
+  }
+  /// The passes that alone were asked for, sorted; none for all. Since 1.2.
+  const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *only() const {
+    return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_ONLY);
+  }
+  /// The passes that were not to run, sorted. Since 1.2.
+  const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *skip() const {
+    return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_SKIP);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -409,6 +424,13 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyString(engine()) &&
            VerifyOffsetRequired(verifier, VT_ACCURACY) &&
            verifier.VerifyString(accuracy()) &&
+           VerifyField<uint8_t>(verifier, VT_CUT_ANYWAY, 1) &&
+           VerifyOffset(verifier, VT_ONLY) &&
+           verifier.VerifyVector(only()) &&
+           verifier.VerifyVectorOfStrings(only()) &&
+           VerifyOffset(verifier, VT_SKIP) &&
+           verifier.VerifyVector(skip()) &&
+           verifier.VerifyVectorOfStrings(skip()) &&
            verifier.EndTable();
   }
 };
@@ -425,6 +447,15 @@ struct SettingsBuilder {
   }
   void add_accuracy(::flatbuffers::Offset<::flatbuffers::String> accuracy) {
     fbb_.AddOffset(Settings::VT_ACCURACY, accuracy);
+  }
+  void add_cut_anyway(bool cut_anyway) {
+    fbb_.AddElement<uint8_t>(Settings::VT_CUT_ANYWAY, static_cast<uint8_t>(cut_anyway), 0);
+  }
+  void add_only(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> only) {
+    fbb_.AddOffset(Settings::VT_ONLY, only);
+  }
+  void add_skip(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> skip) {
+    fbb_.AddOffset(Settings::VT_SKIP, skip);
   }
   explicit SettingsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
@@ -444,11 +475,17 @@ inline ::flatbuffers::Offset<Settings> CreateSettings(
     ::flatbuffers::FlatBufferBuilder &_fbb,
     ::flatbuffers::Offset<::flatbuffers::String> game = 0,
     ::flatbuffers::Offset<::flatbuffers::String> engine = 0,
-    ::flatbuffers::Offset<::flatbuffers::String> accuracy = 0) {
+    ::flatbuffers::Offset<::flatbuffers::String> accuracy = 0,
+    bool cut_anyway = false,
+    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> only = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> skip = 0) {
   SettingsBuilder builder_(_fbb);
+  builder_.add_skip(skip);
+  builder_.add_only(only);
   builder_.add_accuracy(accuracy);
   builder_.add_engine(engine);
   builder_.add_game(game);
+  builder_.add_cut_anyway(cut_anyway);
   return builder_.Finish();
 }
 
@@ -456,15 +493,23 @@ inline ::flatbuffers::Offset<Settings> CreateSettingsDirect(
     ::flatbuffers::FlatBufferBuilder &_fbb,
     const char *game = nullptr,
     const char *engine = nullptr,
-    const char *accuracy = nullptr) {
+    const char *accuracy = nullptr,
+    bool cut_anyway = false,
+    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *only = nullptr,
+    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *skip = nullptr) {
   auto game__ = game ? _fbb.CreateString(game) : 0;
   auto engine__ = engine ? _fbb.CreateString(engine) : 0;
   auto accuracy__ = accuracy ? _fbb.CreateString(accuracy) : 0;
+  auto only__ = only ? _fbb.CreateVector<::flatbuffers::Offset<::flatbuffers::String>>(*only) : 0;
+  auto skip__ = skip ? _fbb.CreateVector<::flatbuffers::Offset<::flatbuffers::String>>(*skip) : 0;
   return jktools::CreateSettings(
       _fbb,
       game__,
       engine__,
-      accuracy__);
+      accuracy__,
+      cut_anyway,
+      only__,
+      skip__);
 }
 
 /// Whether a pass ran, or why the scene did not need it.

@@ -558,8 +558,58 @@ class Settings(object):
             return self._tab.String(o + self._tab.Pos)
         return None
 
+    # Whether templates and names were left out that nothing is known to reach. Since 1.2.
+    # Settings
+    def CutAnyway(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            return bool(self._tab.Get(flatbuffers.number_types.BoolFlags, o + self._tab.Pos))
+        return False
+
+    # The passes that alone were asked for, sorted; none for all. Since 1.2.
+    # Settings
+    def Only(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.String(a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return ""
+
+    # Settings
+    def OnlyLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Settings
+    def OnlyIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        return o == 0
+
+    # The passes that were not to run, sorted. Since 1.2.
+    # Settings
+    def Skip(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.String(a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return ""
+
+    # Settings
+    def SkipLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Settings
+    def SkipIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        return o == 0
+
 def SettingsStart(builder):
-    builder.StartObject(3)
+    builder.StartObject(6)
 
 def SettingsAddGame(builder, game):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(game), 0)
@@ -569,6 +619,21 @@ def SettingsAddEngine(builder, engine):
 
 def SettingsAddAccuracy(builder, accuracy):
     builder.PrependUOffsetTRelativeSlot(2, flatbuffers.number_types.UOffsetTFlags.py_type(accuracy), 0)
+
+def SettingsAddCutAnyway(builder, cutAnyway):
+    builder.PrependBoolSlot(3, cutAnyway, 0)
+
+def SettingsAddOnly(builder, only):
+    builder.PrependUOffsetTRelativeSlot(4, flatbuffers.number_types.UOffsetTFlags.py_type(only), 0)
+
+def SettingsStartOnlyVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def SettingsAddSkip(builder, skip):
+    builder.PrependUOffsetTRelativeSlot(5, flatbuffers.number_types.UOffsetTFlags.py_type(skip), 0)
+
+def SettingsStartSkipVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
 
 def SettingsEnd(builder):
     return builder.EndObject()

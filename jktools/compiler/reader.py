@@ -30,6 +30,12 @@ _SMALLEST = 8
 TEXT_SINCE = 2
 """Minor version that brought the strings as one vector."""
 
+WORLD = (
+    "version", "gravity", "ceiling_sky_z", "horizon_distance", "horizon_pixels_per_rev", "horizon_sky_offset",
+    "ceiling_sky_offset", "mipmap_distances", "lod_distances", "perspective_distance", "gouraud_distance",
+)  # fmt: skip
+"""Fields of the table World."""
+
 ALWAYS = ("resources", "geometry")
 """Sections that every level has."""
 
@@ -224,6 +230,31 @@ class CompiledLevel:
         return unpacked(matrix)
 
     @property
+    def vertex_step(self) -> float:
+        """Of the grid that the vertices are on, JKU; 0 where they are float32 as read."""
+        return self.geometry.stored["vertices"].step
+
+    @property
+    def text_bytes(self) -> int:
+        """What the strings take in the file."""
+        if self._text_columns is None:
+            return sum(len(self._root.Strings(i)) + 9 for i in range(self._root.StringsLength()))
+        return Section(self._text_columns, TEXT).nbytes
+
+    @property
+    def world(self) -> dict[str, Any]:
+        """The header lines of the level, by their names in the schema."""
+        world = self._root.World()
+        if world is None:
+            return {}
+        found: dict[str, Any] = {}
+        for name in WORLD:
+            vector = getattr(world, f"{camel_case(name)}AsNumpy", None)
+            value = getattr(world, camel_case(name))() if vector is None else vector()
+            found[name] = [] if vector is not None and isinstance(value, int) else value
+        return {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in found.items()}
+
+    @property
     def format(self) -> str:
         """Version of the file format, `major.minor`."""
         return f"{self._root.FormatMajor()}.{self._root.FormatMinor()}"
@@ -253,6 +284,23 @@ class CompiledLevel:
             "engine": self._text(settings.Engine()),
             "accuracy": self._text(settings.Accuracy()),
         }
+
+    @property
+    def cut_anyway(self) -> bool:
+        """Whether it leaves out templates and names that nothing is known to reach."""
+        return bool(self._root.Settings().CutAnyway())
+
+    @property
+    def only(self) -> list[str]:
+        """The passes that alone were asked for; none for all, and for files before 1.2, which do not tell."""
+        settings = self._root.Settings()
+        return [self._text(settings.Only(i)) for i in range(settings.OnlyLength())]
+
+    @property
+    def skip(self) -> list[str]:
+        """The passes that were not to run; none for files before 1.2, which do not tell."""
+        settings = self._root.Settings()
+        return [self._text(settings.Skip(i)) for i in range(settings.SkipLength())]
 
     @property
     def counts(self) -> dict[str, int]:
