@@ -2957,7 +2957,12 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_THING = 38,
     VT_DROP_START = 40,
     VT_DROP_END = 42,
-    VT_TRAITS = 44
+    VT_TRAITS = 44,
+    VT_CARRIER = 46,
+    VT_CARRIER_FRAME = 48,
+    VT_CARRIER_FACE = 50,
+    VT_ONTO = 52,
+    VT_ONTO_FACE = 54
   };
   /// The distinct bodies. A body whose hover height is not known (NaN) has no ledges and no basins.
   const ::flatbuffers::Vector<float> *body_movesize() const {
@@ -2994,10 +2999,11 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *body_ledge_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_LEDGE_START);
   }
+  /// The surface whose edge it is, or -1 for a thing's.
   const ::flatbuffers::Vector<int32_t> *surface() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE);
   }
-  /// The edge goes from this corner of the surface to the following one.
+  /// The edge goes from this corner of the surface, or of the thing's face, to the following one.
   const ::flatbuffers::Vector<uint8_t> *corner() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_CORNER);
   }
@@ -3034,6 +3040,24 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   /// 0x1 the place below is narrower than the body, 0x2 the engine's AI stops.
   const ::flatbuffers::Vector<uint8_t> *traits() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_TRAITS);
+  }
+  /// For the edge of a thing: its source index, where it is (-1 as it is placed, else its frame) and the face of its
+  /// model at rest; -1 for a surface's.
+  const ::flatbuffers::Vector<int32_t> *carrier() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER);
+  }
+  const ::flatbuffers::Vector<int32_t> *carrier_frame() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER_FRAME);
+  }
+  const ::flatbuffers::Vector<int32_t> *carrier_face() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER_FACE);
+  }
+  /// Source index of the thing come onto, or that blocks, and the face of its model at rest; -1 for none.
+  const ::flatbuffers::Vector<int32_t> *onto() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ONTO);
+  }
+  const ::flatbuffers::Vector<int32_t> *onto_face() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ONTO_FACE);
   }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
@@ -3080,6 +3104,16 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(drop_end()) &&
            VerifyOffset(verifier, VT_TRAITS) &&
            verifier.VerifyVector(traits()) &&
+           VerifyOffset(verifier, VT_CARRIER) &&
+           verifier.VerifyVector(carrier()) &&
+           VerifyOffset(verifier, VT_CARRIER_FRAME) &&
+           verifier.VerifyVector(carrier_frame()) &&
+           VerifyOffset(verifier, VT_CARRIER_FACE) &&
+           verifier.VerifyVector(carrier_face()) &&
+           VerifyOffset(verifier, VT_ONTO) &&
+           verifier.VerifyVector(onto()) &&
+           VerifyOffset(verifier, VT_ONTO_FACE) &&
+           verifier.VerifyVector(onto_face()) &&
            verifier.EndTable();
   }
 };
@@ -3151,6 +3185,21 @@ struct LedgesBuilder {
   void add_traits(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> traits) {
     fbb_.AddOffset(Ledges::VT_TRAITS, traits);
   }
+  void add_carrier(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier) {
+    fbb_.AddOffset(Ledges::VT_CARRIER, carrier);
+  }
+  void add_carrier_frame(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_frame) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FRAME, carrier_frame);
+  }
+  void add_carrier_face(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_face) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FACE, carrier_face);
+  }
+  void add_onto(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto) {
+    fbb_.AddOffset(Ledges::VT_ONTO, onto);
+  }
+  void add_onto_face(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto_face) {
+    fbb_.AddOffset(Ledges::VT_ONTO_FACE, onto_face);
+  }
   explicit LedgesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -3184,8 +3233,18 @@ inline ::flatbuffers::Offset<Ledges> CreateLedges(
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> thing = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<float>> drop_start = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<float>> drop_end = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> traits = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> traits = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_frame = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_face = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto_face = 0) {
   LedgesBuilder builder_(_fbb);
+  builder_.add_onto_face(onto_face);
+  builder_.add_onto(onto);
+  builder_.add_carrier_face(carrier_face);
+  builder_.add_carrier_frame(carrier_frame);
+  builder_.add_carrier(carrier);
   builder_.add_traits(traits);
   builder_.add_drop_end(drop_end);
   builder_.add_drop_start(drop_start);
@@ -3232,7 +3291,12 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
     const std::vector<int32_t> *thing = nullptr,
     const std::vector<float> *drop_start = nullptr,
     const std::vector<float> *drop_end = nullptr,
-    const std::vector<uint8_t> *traits = nullptr) {
+    const std::vector<uint8_t> *traits = nullptr,
+    const std::vector<int32_t> *carrier = nullptr,
+    const std::vector<int32_t> *carrier_frame = nullptr,
+    const std::vector<int32_t> *carrier_face = nullptr,
+    const std::vector<int32_t> *onto = nullptr,
+    const std::vector<int32_t> *onto_face = nullptr) {
   auto body_movesize__ = body_movesize ? _fbb.CreateVector<float>(*body_movesize) : 0;
   auto body_hover__ = body_hover ? _fbb.CreateVector<float>(*body_hover) : 0;
   auto body_reattach__ = body_reattach ? _fbb.CreateVector<float>(*body_reattach) : 0;
@@ -3254,6 +3318,11 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
   auto drop_start__ = drop_start ? _fbb.CreateVector<float>(*drop_start) : 0;
   auto drop_end__ = drop_end ? _fbb.CreateVector<float>(*drop_end) : 0;
   auto traits__ = traits ? _fbb.CreateVector<uint8_t>(*traits) : 0;
+  auto carrier__ = carrier ? _fbb.CreateVector<int32_t>(*carrier) : 0;
+  auto carrier_frame__ = carrier_frame ? _fbb.CreateVector<int32_t>(*carrier_frame) : 0;
+  auto carrier_face__ = carrier_face ? _fbb.CreateVector<int32_t>(*carrier_face) : 0;
+  auto onto__ = onto ? _fbb.CreateVector<int32_t>(*onto) : 0;
+  auto onto_face__ = onto_face ? _fbb.CreateVector<int32_t>(*onto_face) : 0;
   return jktools::CreateLedges(
       _fbb,
       body_movesize__,
@@ -3276,7 +3345,12 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
       thing__,
       drop_start__,
       drop_end__,
-      traits__);
+      traits__,
+      carrier__,
+      carrier_frame__,
+      carrier_face__,
+      onto__,
+      onto_face__);
 }
 
 /// Floors that a body can come down to and whose every way out goes up.

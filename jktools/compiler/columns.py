@@ -269,7 +269,7 @@ LEDGES: Mapping[str, Column] = MappingProxyType(
         **_rows(
             "surface",
             {
-                "surface": Column("i4", index_of=_SURFACES),
+                "surface": Column("i4", index_of=_SURFACES, or_none=True),
                 "corner": Column("u1"),
                 "start": Column("f4"),
                 "end": Column("f4"),
@@ -280,6 +280,11 @@ LEDGES: Mapping[str, Column] = MappingProxyType(
                 "drop_start": Column("f4"),
                 "drop_end": Column("f4"),
                 "traits": Column("u1"),
+                "carrier": Column("i4"),
+                "carrier_frame": Column("i4"),
+                "carrier_face": Column("i4"),
+                "onto": Column("i4"),
+                "onto_face": Column("i4"),
             },
         ),
     }
