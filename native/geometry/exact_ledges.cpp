@@ -565,13 +565,15 @@ private:
         const Vector normal = cross(vector(t.b) - vector(t.a), vector(t.c) - vector(t.a));
         const Number change = dot(normal, exact_along_);
         if (change == 0) return;
-        for (const double side : {-kBeyond, kBeyond})
-            for (Index rise = 0; rise <= gait_.rises; ++rise) {
-                Vector from = exact_beside(Number(0), side);
-                from.z += Number(gait_.hover + rise * gait_.rise);
-                const Number met = dot(normal, vector(t.a) - from) / change;
-                if (met >= low && met <= high) add(met, breaks);
-            }
+        const auto pierced = [&](double side, double up) {
+            Vector from = exact_beside(Number(0), side);
+            from.z += Number(up);
+            const Number met = dot(normal, vector(t.a) - from) / change;
+            if (met >= low && met <= high) add(met, breaks);
+        };
+        pierced(-kBeyond, kOnEdge + kBeyond * slope_);
+        for (Index rise = 0; rise <= gait_.rises; ++rise)
+            for (const double side : {-kBeyond, kBeyond}) pierced(side, gait_.hover + rise * gait_.rise);
     }
 
     // Whether a triangle lies on one side of all that the centre comes over, by far more than a rounding.

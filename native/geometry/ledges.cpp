@@ -191,15 +191,20 @@ private:
                 start_[2] + t * along_[2] + up};
     }
 
+    // Where the way up begins.
+    Point inner(double t) const {
+        const double rises = (normal_[0] * out_[0] + normal_[1] * out_[1]) / normal_[2];
+        return beside(t, -kBeyond, kOnEdge + kBeyond * rises);
+    }
+
     Found at(double t) {
-        Point inner = beside(t, -kBeyond, kOnEdge);
-        inner[2] += kBeyond * (normal_[0] * out_[0] + normal_[1] * out_[1]) / normal_[2];
-        const Index home = home_of(inner);
+        const Point start = inner(t);
+        const Index home = home_of(start);
         Found found{Over::kBlocked, -1, -1, home, 0, {{0, 0, 1}, start_}, {}};
         if (home < 0) return found;
         for (Index rise = 0; rise <= gait_.rises; ++rise) {
             const double up = gait_.hover + rise * gait_.rise;
-            const Moved lifted = around().go(home, inner, beside(t, -kBeyond, up), visited_);
+            const Moved lifted = around().go(home, start, beside(t, -kBeyond, up), visited_);
             if (lifted.blocked()) {
                 if (rise == 0) stop(found, lifted);
                 break;
@@ -325,7 +330,10 @@ private:
             const auto place = std::lower_bound(gathered_.begin(), gathered_.end(), sector);
             if (place != gathered_.end() && *place == sector) continue;
             gathered_.insert(place, sector);
-            for (const Index i : around().of_sector(sector)) breaks_of(around().triangle(i));
+            for (const Index i : around().of_sector(sector)) {
+                breaks_of(around().triangle(i));
+                if (home_ < 0) pierced(around().triangle(i), inner(0));
+            }
             more = true;
         }
         for (; compared_ < planes_.size(); ++compared_)
@@ -347,6 +355,7 @@ private:
         for (std::size_t i = 0; i < faces.size(); ++i) {
             const Strides::Triangle& t = around().triangle(faces[i]);
             breaks_of(t);
+            pierced(t, inner(0));
             for (Index rise = 0; rise <= gait_.rises; ++rise)
                 for (const double side : {-kBeyond, kBeyond})
                     pierced(t, beside(0, side, gait_.hover + rise * gait_.rise));
