@@ -114,6 +114,23 @@ def test_looks_where_its_thing_looks() -> None:
     assert end("0 run forward\n3 end", turned, start_at(turned, "0"))[:2] == pytest.approx([R, 0.5], abs=1e-9)
 
 
+def test_a_launch_goes_where_the_thing_looks() -> None:
+    """At 1 JKU/s with surfdrag 3, one frame of 0.02 s: 0.94 JKU/s left, 0.0188 JKU far."""
+    turned = level_of(two_rooms("Section: THINGS", "0: walkplayer walkplayer .5 .5 .12 0 90 0 0"))
+    moved = trace_in_level("0 velocity 0 1 0\n0.02 end", turned, start_at(turned, "0"))
+    assert moved.velocity[-1] == pytest.approx([-0.94, 0, 0], abs=1e-12)
+    assert moved.position[-1] == pytest.approx([0.5 - 0.0188, 0.5, HOVER], abs=1e-9)
+
+
+def test_a_sector_with_thrust_lifts_who_jumped() -> None:
+    """8 up against 4 down: after the jump the body never comes back; without the sector's flag it does."""
+    script = "0 sector-thrust 0 0 8\n0.5 jump\n3 end"
+    lifted = trace_in_level(script, level_of(two_rooms("Sector 0", "Flags 0x8")), MIDDLE)
+    assert lifted.attached[:25].all() and (lifted.position[:25, 2] == lifted.position[0, 2]).all()
+    assert lifted.position[-1, 2] == pytest.approx(1 - R, abs=1e-9)
+    assert end(script)[2] == pytest.approx(HOVER, abs=1e-9)
+
+
 def test_a_ceiling_stops_a_jump() -> None:
     weightless = level_of(two_rooms("Sector 0", "Flags 0x1"))
     assert end("0 jump\n3 end", weightless) == pytest.approx([0.5, 0.5, 1 - R], abs=1e-12)
