@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
-from jktools.linter.hotspots import call_label, place_of, subject_of
+from jktools.linter.hotspots import call_label, ours, place_of, subject_of
 from jktools.linter.rule import Finding, rule
 from jktools.linter.rules.behaviour.pulse_shorter_than_frame import SHORTEST, outruns_frames
 from jktools.model import Level
@@ -66,8 +66,8 @@ def sight_in_every_frame(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             return;
         end
     """
-    for spot in facts.hotspots:
-        if spot.pulse > 0 and outruns_frames(spot.pulse) and spot.calls_per_second > 0:
+    for spot in ours(facts):
+        if spot.pulse > 0 and outruns_frames(spot.pulse) and spot.lasts:
             yield Finding(
                 place_of(spot.runner),
                 f"{spot.runner.title} tests sight every {spot.pulse:.6g} s, but a frame takes {SHORTEST} s",
