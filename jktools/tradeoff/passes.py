@@ -149,7 +149,7 @@ def _ask_sight(scene: Scene, queries: Queries) -> Sight:
 
 
 def _ask_location(scene: Scene, queries: Queries) -> Location:
-    return scene.facts.mesh.location(queries.targets, ONE_THREAD)
+    return scene.facts.mesh.location(queries.targets, scene.tier, ONE_THREAD)
 
 
 def _ask_drop(scene: Scene, queries: Queries) -> Drop:
@@ -168,7 +168,7 @@ def _finish_visibility(scene: Scene, answer: VisibleSectors) -> Result:
     scene.facts.visible = answer
     segments = refuted = 0
     for each in scene.queries.values():
-        aims = scene.facts.mesh.locate(each.targets, ONE_THREAD)
+        aims = scene.facts.mesh.locate(each.targets, threads=ONE_THREAD)
         seen = scene.facts.mesh.sees(*each, aims, threads=ONE_THREAD)
         segments += int(seen.sum())
         refuted += int((~answer.matrix[each.sectors[seen], aims[seen]]).sum())
