@@ -37,7 +37,7 @@ def _lines(level: CompiledLevel, verify: bool) -> Iterator[str]:
     yield "  passes:"
     for name, state in level.passes.items():
         section = level.sections.get(name)
-        size = f"{sum(c.nbytes for c in section.columns.values()):>10} bytes" if section else "   not run"
+        size = f"{section.nbytes:>10} bytes" if section else "   not run"
         yield f"    {name:<15}{size}" + (f"  ({state['note']})" if state["note"] else "")
     for each in level.omissions:
         yield f"  left out of {each['section']}, because {each['reason']}: {' '.join(each['name'])}"

@@ -31,7 +31,7 @@ def hotspots(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns
         "verb": strings.indices(spot.site.verb.name for spot in spots),
         "line": np.array([spot.runner.script.span(spot.site.call).first.line for spot in spots]),
         "things": np.array([len(spot.runner.things) for spot in spots]),
-        "more": np.array([spot.runner.more for spot in spots]),
+        "more": np.array([spot.more for spot in spots]),
         "calls_per_second": np.array([spot.calls_per_second for spot in spots]),
         "mean_sectors": np.array([spot.cost.mean_sectors for spot in spots]),
         "mean_surfaces": np.array([spot.cost.mean_surfaces for spot in spots]),
@@ -68,14 +68,15 @@ def particles(facts: LevelFacts, strings: Strings, settings: CompileSettings) ->
         "template": np.array([cloud.template.owner.index for cloud in found]),
         "material": np.array([_text(strings, cloud.material) for cloud in found]),
         "cels": np.array([cloud.particles.cels if cloud.knows_cels else UNKNOWN for cloud in found]),
-        "spawned": np.array([cloud.particles.spawned for cloud in found]),
+        "spawned": np.array([cloud.particles.spawned if cloud.known else UNKNOWN for cloud in found]),
         "timer_ms": np.array([cloud.particles.timer_ms for cloud in found]),
         "flags": np.array([cloud.particles.typeflags & 0xFFFFFFFF for cloud in found]),
         "lost_a_step": np.array([cloud.particles.lost_a_step for cloud in found]),
-        "light_mode": np.array([cloud.particles.light_mode for cloud in found]),
+        "light_mode": np.array([cloud.particles.light_mode if cloud.file is None else UNKNOWN for cloud in found]),
+        "elementsize": np.array([cloud.particles.elementsize if cloud.known else np.nan for cloud in found]),
         **{
             key: np.array([getattr(cloud.particles, key) for cloud in found], np.float64)
-            for key in ("range", "minsize", "maxthrust", "elementsize", "pitchrange", "yawrange")
+            for key in ("range", "minsize", "maxthrust", "pitchrange", "yawrange")
         },
     }
 

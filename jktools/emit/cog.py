@@ -20,7 +20,7 @@ from jktools.facts.cog.summary import (
     SymbolSummary,
     VerbSummary,
 )
-from jktools.facts.hotspots import CostSummary
+from jktools.facts.hotspots import CostSummary, frequency
 
 Costs = Mapping[str, Sequence[CostSummary]]
 """What tests of sight cost in a level, by the lower-case name of the script."""
@@ -67,8 +67,8 @@ def _of(script: ScriptSummary, costs: Costs) -> Sequence[CostSummary]:
 def _cost_lines(costs: Sequence[CostSummary]) -> Iterator[str]:
     yield f"  costs of sight ({len(costs)}):"
     for cost in costs:
-        calls = "any number of times" if cost.calls_per_second is None else f"{cost.calls_per_second:.6g} times"
-        yield f"    {cost.verb}, line {cost.line}, {cost.runner}: {calls} a second, {_work(cost)}"
+        often = frequency(cost.calls_per_second, cost.more, cost.causes)
+        yield f"    {cost.verb}, line {cost.line}, {cost.runner}: {often}; {_work(cost)}"
         yield f"      {cost.help}"
 
 
@@ -140,7 +140,7 @@ def _source(source: SourceSummary) -> str:
     words = _KINDS[source.kind]
     low, high = source.least_seconds, source.most_seconds
     if source.line is None:
-        return words
+        return words + ", set by the flags" * (source.kind in ("pulse", "timer"))
     if source.off:
         words += " switched off"
     elif low is not None and high is not None:

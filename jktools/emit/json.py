@@ -43,7 +43,7 @@ def compiled(level: CompiledLevel) -> str:
     """What `inspect` says of a compiled level."""
     sections = {
         name: {
-            "bytes": sum(c.nbytes for c in section.columns.values()),
+            "bytes": section.nbytes,
             "count": len(section.columns),
         }
         for name, section in level.sections.items()

@@ -11,12 +11,13 @@ from jktools.engine import orientation
 from jktools.engine.arrays import Float64
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
-from jktools.engine.flags import SurfaceFlag
+from jktools.engine.flags import PhysicsFlag, SurfaceFlag
 from jktools.engine.ground import Steps, Vector
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
 from jktools.engine.simulation import History, Simulation, World, simulate
 from jktools.engine.thrust import Keys
+from jktools.facts.bodies import hovering_body
 from jktools.geometry.collision import Collision
 from jktools.model import Level
 from jktools.trace.level_ground import LevelGround
@@ -85,6 +86,25 @@ def trace_in_level(
     simulation = LevelSimulation(level, start, body, engine, scheme)
     simulation.rest_on_ground()
     return simulate(simulation, read.phases, read.seconds, 1 / fps)
+
+
+def body_named(level: Level, name: str) -> Body:
+    """The body of a template of the level, with the insert offset of its model.
+
+    Raises ValueError for a template that the level does not have, that does not move by physics, or whose model, which
+    would tell how high it hovers over floors, is not at hand.
+    """
+    held = level.resolved_templates.get(name)
+    if held is None:
+        raise ValueError(f"the level has no template {name}")
+    if held.dropped is not None:
+        raise ValueError(f"template {name} is not in play: {held.dropped}")
+    if held.move != "physics":
+        raise ValueError(f"template {name} does not move by physics, but move={held.move}")
+    body, hovers = hovering_body(level, held)
+    if not hovers and body.physflags & PhysicsFlag.FLOOR_STICK:
+        raise ValueError(f"template {name} hovers over floors by its model {held.name_in('model3d')}, not at hand")
+    return body
 
 
 def start_at(level: Level, place: str) -> Start:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.facts.hotspots import Verdict
-from jktools.linter.hotspots import place_of, subject_of
+from jktools.linter.hotspots import ours, place_of, subject_of
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -61,7 +61,7 @@ def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             return;
         end
     """
-    for spot in facts.hotspots:
+    for spot in ours(facts):
         if spot.verdict is not Verdict.VARIES and spot.handlers:
             finds = "always succeeds" if spot.verdict is Verdict.ALWAYS else "never succeeds"
             yield Finding(

@@ -1,0 +1,37 @@
+"""Compiles smithdev.gob with the command, in a process of its own, and opens what it wrote."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from fixtures.smithdev.pack import GOB
+from jktools.compiler import open_compiled
+from tests.experiments.smithdev import Experiment
+
+Compile = Callable[..., Experiment]
+
+
+@pytest.fixture(scope="session")
+def compiled(tmp_path_factory: pytest.TempPathFactory) -> Compile:
+    """Gives the level as `jktools build` writes it, by options such as `"--engine", "openjkdf2"`; each built once."""
+
+    @cache
+    def build(*options: str) -> Experiment:
+        path = tmp_path_factory.mktemp("smithdev") / "smithdev.jklb"
+        command = [Path(sys.executable).parent / "jktools", "build", GOB, "-o", path, "--config", "none", *options]
+        subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, timeout=600)
+        return Experiment(path, open_compiled(path, verify=True))
+
+    return build
+
+
+@pytest.fixture(scope="session")
+def smithdev(compiled: Compile) -> Experiment:
+    """The level at the default settings."""
+    return compiled()
