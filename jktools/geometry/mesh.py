@@ -158,8 +158,8 @@ class SectorMesh:
         to the first of them, unless another sector holds it inside.
 
         `balanced` and `exact` are exact in float64; `fast` counts what is straight above the point in plain doubles,
-        and takes every sector for closed. threads 0 means one a core. Raises ValueError naming the point that is not finite or has a
-        coordinate of 2^150 JKU or more.
+        and takes every sector for closed. threads 0 means one a core. Raises ValueError naming the point that is not
+        finite or has a coordinate of 2^150 JKU or more.
         """
         return Location(*self._viewer.locate(_points(points), accuracy, threads))
 

@@ -18,8 +18,6 @@ from jktools.tradeoff.worker import Failed, Memory, Nothing, Timed, work
 
 RUNS = 5
 """Measurements of each cell; their median counts."""
-REPEAT_SECONDS = 10.0
-"""Wall time after which a cell is measured no more."""
 EXACT: Accuracy = "exact"
 
 Progress = Callable[[int, int, str], None]
@@ -35,6 +33,8 @@ class Plan:
     tiers: tuple[Accuracy, ...] = TIERS
     time_limit: float = 60.0
     """Seconds that a cell may take to make ready, and again for its answer."""
+    repeat_seconds: float = 10.0
+    """Seconds after which a cell is measured no more; it is once in any case."""
 
 
 @dataclass(slots=True)
@@ -201,7 +201,7 @@ class _Crew:
 
     def _again(self, cell: Cell, turn: int, spent: dict[Accuracy, float]) -> None:
         """Measure again, unless that takes too long; the first computation counts only where it is the only one."""
-        if cell.not_measured or spent[cell.tier] + max(cell.seconds) > REPEAT_SECONDS:
+        if cell.not_measured or spent[cell.tier] + max(cell.seconds) > self.plan.repeat_seconds:
             return
         began = time.monotonic()
         reply = self._reply(cell, "again")

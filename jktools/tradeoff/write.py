@@ -52,11 +52,12 @@ def _row(row: Row) -> dict[str, Any]:
         "name": row.found.name,
         "measure": row.found.measure or None,
         "nothing": row.nothing or None,
-        "tiers": [] if row.nothing else [_cell(cell) for cell in row.cells],
+        "tiers": [] if row.nothing else [cell_of(cell) for cell in row.cells],
     }
 
 
-def _cell(cell: Cell) -> dict[str, Any]:
+def cell_of(cell: Cell) -> dict[str, Any]:
+    """One cell as it stands in JSON."""
     measured = not cell.not_measured
     times = {"median": cell.median, "least": min(cell.seconds), "most": max(cell.seconds), "runs": len(cell.seconds)}
     error = cell.error

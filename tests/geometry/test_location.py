@@ -33,8 +33,8 @@ def angled_room(scale: float = 1.0) -> SectorMesh:
 
 def holds(x: float, y: float, z: float) -> tuple[int, int, int]:
     """Sector, inside and touching of a point and the angled room."""
-    closed = 0 <= z <= 1 and (0 <= x <= 2 and 0 <= y <= 1 or 0 <= x <= 1 and 0 <= y <= 2)
-    inside = 0 < z < 1 and (0 < x < 2 and 0 < y < 1 or 0 < x < 1 and 0 < y < 2)
+    closed = 0 <= z <= 1 and ((0 <= x <= 2 and 0 <= y <= 1) or (0 <= x <= 1 and 0 <= y <= 2))
+    inside = 0 < z < 1 and ((0 < x < 2 and 0 < y < 1) or (0 < x < 1 and 0 < y < 2))
     return 0 if closed else -1, int(inside), int(closed and not inside)
 
 
@@ -63,7 +63,7 @@ def test_fast_knows_a_floor_of_triangles_that_it_stands_on() -> None:
 
 @pytest.mark.parametrize("scale", [1.0, 2.0**-1060])
 def test_balanced_is_exact_on_cut_cells(scale: float) -> None:
-    """At and beside vertices, edges and faces of random convex cells, also where products are below the least double."""
+    """At and beside vertices, edges and faces of random convex cells, also where products underflow."""
     rng = np.random.default_rng(11)
     cells = Cells()
     for _ in range(12):
