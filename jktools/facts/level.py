@@ -31,7 +31,6 @@ from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
 from jktools.facts.occluders import Occluders
 from jktools.facts.openings import MOVEMENT, NOT_FOR_PLAYERS, VISIBLE, cleared_by_cogs, opened_by_cogs
-from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
 from jktools.facts.scene import Scene as SightScene
@@ -144,19 +143,14 @@ class LevelFacts:
 
     @cached_property
     def edges(self) -> EdgeWalker:
-        """The edges of the floors."""
-        return EdgeWalker(self.level)
-
-    @cached_property
-    def platforms(self) -> Platforms:
-        """The things that bodies can stand on, wherever they come to."""
-        return Platforms(self.level)
+        """The edges of the floors, and of the things that bodies stand on."""
+        return EdgeWalker(self.level, self.floors.solids())
 
     def ledges(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> Ledges:
         """What a body whose hover height is known meets beyond each edge of each floor."""
         key = (walker, engine, accuracy)
         if key not in self._ledges:
-            self._ledges[key] = ledges_of(self.level, self.edges, walker, self.platforms, engine, accuracy)
+            self._ledges[key] = ledges_of(self.level, self.edges, walker, self.floors, engine, accuracy)
         return self._ledges[key]
 
     @cached_property
@@ -171,7 +165,7 @@ class LevelFacts:
 
     def basins(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> tuple[Basin, ...]:
         """Where a body whose hover height is known comes down to, and what leads out."""
-        return basins_of(self.level, self.ledges(walker, engine, accuracy), self.platforms, self.touched)
+        return basins_of(self.level, self.ledges(walker, engine, accuracy), self.touched)
 
     @cached_property
     def overlaps(self) -> Overlaps:
