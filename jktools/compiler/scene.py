@@ -20,7 +20,7 @@ VERDICTS = (Verdict.NEVER, Verdict.ALWAYS, Verdict.VARIES)
 UNKNOWN = -1
 
 
-def hotspots(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+def hotspots(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Columns | NotNeeded:
     """What tests of sight cost."""
     spots = facts.hotspots
     if not spots:
@@ -38,7 +38,7 @@ def hotspots(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns
         "most_sectors": np.array([spot.cost.most_sectors for spot in spots]),
         "most_surfaces": np.array([spot.cost.most_surfaces for spot in spots]),
         "pairs": np.array([spot.cost.pairs for spot in spots]),
-        "verdict": np.array([VERDICTS.index(spot.verdict) for spot in spots]),
+        "verdict": np.array([VERDICTS.index(spot.verdicts[Engine(settings.engine)]) for spot in spots]),
     }
 
 
@@ -68,14 +68,15 @@ def particles(facts: LevelFacts, strings: Strings, settings: CompileSettings) ->
         "template": np.array([cloud.template.owner.index for cloud in found]),
         "material": np.array([_text(strings, cloud.material) for cloud in found]),
         "cels": np.array([cloud.particles.cels if cloud.knows_cels else UNKNOWN for cloud in found]),
-        "spawned": np.array([cloud.particles.spawned for cloud in found]),
+        "spawned": np.array([cloud.particles.spawned if cloud.known else UNKNOWN for cloud in found]),
         "timer_ms": np.array([cloud.particles.timer_ms for cloud in found]),
         "flags": np.array([cloud.particles.typeflags & 0xFFFFFFFF for cloud in found]),
         "lost_a_step": np.array([cloud.particles.lost_a_step for cloud in found]),
-        "light_mode": np.array([cloud.particles.light_mode for cloud in found]),
+        "light_mode": np.array([cloud.particles.light_mode if cloud.file is None else UNKNOWN for cloud in found]),
+        "elementsize": np.array([cloud.particles.elementsize if cloud.known else np.nan for cloud in found]),
         **{
             key: np.array([getattr(cloud.particles, key) for cloud in found], np.float64)
-            for key in ("range", "minsize", "maxthrust", "elementsize", "pitchrange", "yawrange")
+            for key in ("range", "minsize", "maxthrust", "pitchrange", "yawrange")
         },
     }
 

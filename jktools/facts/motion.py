@@ -66,11 +66,12 @@ class Motion(NamedTuple):
 
 def bodies(level: Level) -> list[Resolved]:
     """The templates of actors and players that move by physics and that the engine keeps."""
-    return [
-        held
-        for held in level.resolved_templates.entries
-        if held.dropped is None and held.type in BODIES and held.move == "physics"
-    ]
+    return [held for held in level.resolved_templates.entries if held.dropped is None and is_body(held)]
+
+
+def is_body(held: Resolved) -> bool:
+    """Whether a template or thing is an actor or player that moves by physics."""
+    return held.type in BODIES and held.move == "physics"
 
 
 def gravity_of(level: Level) -> float:

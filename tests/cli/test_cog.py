@@ -239,8 +239,8 @@ def test_a_level_brings_the_costs(tmp_path: Path, capsys: pytest.CaptureFixture[
     # 10 pulses a second; the player is in the lamp's room (6 surfaces) or in the other (12 on the way).
     assert capsys.readouterr().out.splitlines()[-3:] == [
         "  costs of sight (1):",
-        "    haslos, line 10, class cog lamp.cog on 1 thing: at most 10 times a second; 9 surfaces in 1.5 sectors "
-        "on the mean, 12 in 2 at most",
+        "    haslos, line 10, class cog lamp.cog on 1 thing: at most 10 times a second; "
+        "9 surfaces in 1.5 sectors on the mean, 12 in 2 at most",
         "      test less often, or test the distance first",
     ]
 

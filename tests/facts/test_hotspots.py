@@ -449,39 +449,6 @@ def test_the_games_own_scripts_are_listed_where_they_are_at_hand(tmp_path: Path)
 
 
 STARE = looking("startup: SetPulse(1.0); return;", f"pulse: {LOOK} return;")
-SHUT = ("World adjoins 2", "0: 0x6 1 1", "1: 0x6 0 1")
-
-
-def verdict(*lines: str) -> Verdict:
-    (found,) = hotspots(*lines)
-    return found.verdict
-
-
-def test_what_stays_is_seen_always_or_never() -> None:
-    assert verdict(*placed_cog("20 21", *STARE)) is Verdict.ALWAYS
-    assert verdict(*SHUT, *placed_cog("20 21", *STARE)) is Verdict.NEVER
-    assert verdict(*placed_cog("20 20", *STARE)) is Verdict.ALWAYS
-
-
-def test_what_a_script_can_open_or_move_varies() -> None:
-    opener = looking("activated: ClearAdjoinFlags(door, 0x1); return;", *STARE[STARE.index('code') + 1 : -1],
-                     symbols=("thing a", "thing b", "surface door"))  # fmt: skip
-    assert verdict(*SHUT, *placed_cog("20 21 3", *opener)) is Verdict.VARIES
-    # The other side of the same adjoin.
-    assert verdict(*SHUT, *placed_cog("20 21 8", *opener)) is Verdict.VARIES
-    # A script that cannot be read is linked to surface 3, or to something else.
-    unread = [each.replace("World cogs 1", "World cogs 2") for each in placed_cog("20 21", *STARE)]
-    unread.insert(unread.index("0: look.cog 20 21") + 1, "1: gone.cog 3")
-    assert verdict(*SHUT, *unread) is Verdict.VARIES
-    mover = looking("activated: TeleportThing(a, b); return;", *STARE[STARE.index("code") + 1 : -1])
-    assert verdict(*SHUT, *placed_cog("20 21", *mover)) is Verdict.VARIES
-
-
-def test_a_solid_thing_may_stand_between() -> None:
-    crate = ["World templates 5", "crate none type=cog collide=1 size=.1"]
-    lines = placed_cog("20 21", *STARE, more=["30: crate crate .5 .9 .5 0 0 0 0"])
-    assert verdict(*crate[:1], crate[1], *lines[1:]) is Verdict.VARIES
-    assert verdict(*SHUT, *crate[:1], crate[1], *lines[1:]) is Verdict.NEVER
 
 
 def test_a_level_without_tests_of_sight_has_none() -> None:

@@ -1,15 +1,13 @@
-"""What can be in view, and what no player comes to, in the two rooms and by hand."""
+"""What can be in view, in the two rooms and by hand."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
 import pytest
 
 from jktools.facts import LevelFacts
 from jktools.facts.in_view import lights_in_view, sectors_in_view, translucent_in_view
-from jktools.facts.islands import islands
 from jktools.linter import find_rule, lint
 from tests.support.levels import level_of, two_rooms
 
@@ -50,19 +48,6 @@ def test_the_33rd_light_is_one_too_many(count: int, told: bool) -> None:
     assert [d.message for d in found] == [
         "up to 33 lights can be in view from sector 1, the worst of 1, but the engine draws 32"
     ] * told
-
-
-def test_islands_are_what_no_start_leads_to() -> None:
-    shut = ("World adjoins 2", "0: 0x5 1 1", "1: 0x5 0 1")
-    none = np.zeros(0, np.int32)
-    assert islands(level_of(two_rooms()), none) == []
-    # door.cog names surface 3, of sector 0, which the start is in anyway: sector 1 stays apart.
-    (island,) = islands(level_of(two_rooms(*shut)), none)
-    assert (island.sectors, island.items) == ((1,), ())
-    assert islands(level_of(two_rooms(*shut)), np.array([3], np.int32)) == []
-    # A value that can mean thing 1, surface 1 or sector 1.
-    assert islands(level_of(two_rooms(*shut, "World cogs 1", "0: door.cog 1")), none) == []
-    assert islands(level_of(two_rooms(*shut, "World things 3", "0: crate crate .5 .5 .2 0 0 0 0")), none) == []
 
 
 def test_a_file_without_sectors_has_nothing_in_view() -> None:

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
-from jktools.facts.cog.repeats import FRAMES_PER_SECOND
 from jktools.linter.hotspots import call_label, ours, place_of, subject_of
 from jktools.linter.rule import Finding, rule
+from jktools.linter.rules.behaviour.pulse_shorter_than_frame import SHORTEST, outruns_frames
 from jktools.model import Level
 
 
@@ -66,12 +66,11 @@ def sight_in_every_frame(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             return;
         end
     """
-    frame = 1 / FRAMES_PER_SECOND
     for spot in ours(facts):
-        if 0 < spot.pulse < frame and spot.lasts:
+        if spot.pulse > 0 and outruns_frames(spot.pulse) and spot.lasts:
             yield Finding(
                 place_of(spot.runner),
-                f"{spot.runner.title} tests sight every {spot.pulse:.6g} s, but a frame takes {frame:g} s",
+                f"{spot.runner.title} tests sight every {spot.pulse:.6g} s, but a frame takes {SHORTEST} s",
                 spot.help,
                 subject_of(spot.runner),
                 (call_label(spot),),
