@@ -240,7 +240,7 @@ def test_a_level_brings_the_costs(tmp_path: Path, capsys: pytest.CaptureFixture[
     shown = capsys.readouterr()
     assert shown.err == (
         f"jktools: note: {level}: what these may send is not counted, since they are not at hand (--base): "
-        "items.dat, static.jkl\n"
+        "door.cog, items.dat, static.jkl\n"
     )
     # 10 pulses a second; the player is in the lamp's room (6 surfaces) or in the other (12 on the way).
     assert shown.out.splitlines()[-3:] == [
