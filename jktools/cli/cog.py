@@ -47,9 +47,8 @@ def command(
         costs = summarise_costs(loaded.path, level_facts.hotspots)
         unread = [each.name for each in level_facts.reach.unread] if costs else []
         if unread:
-            named = ", ".join(unread[:MOST_NAMED]) + f" and {len(unread) - MOST_NAMED} more" * (
-                len(unread) > MOST_NAMED
-            )
+            left = len(unread) - MOST_NAMED
+            named = ", ".join(unread[:MOST_NAMED]) + f" and {left} more" * (left > 0)
             note(f"{loaded.path}: what these may send is not counted, since they are not at hand (--base): {named}")
     told: list[report.Told] = []
     problems: list[str] = []

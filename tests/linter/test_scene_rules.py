@@ -294,6 +294,12 @@ SEEN = 'if (HasLOS(GetSenderRef(), GetLocalPlayerThing()) == 1) Print("x");'
     (f"created: SetThingPulse(GetSenderRef(), 0.01); return; pulse: {SEEN} SetThingPulse(GetSenderRef(), 0); return;",
      None),
     (f"startup: SetPulse(0.01); return; pulse: {SEEN} SetPulse(0); return;", None),
+    # Below 0 a thing's pulse comes every frame; a script's is off. SetTimerEx takes 0 for the next frame.
+    (f"created: SetThingPulse(GetSenderRef(), -1); return; pulse: {SEEN} return;", "0"),
+    (f"startup: SetPulse(-1); return; pulse: {SEEN} return;", None),
+    (f"startup: SetTimerEx(0, 1, 0, 0); return; timer: {SEEN} SetTimerEx(0, 1, 0, 0); return;", "0"),
+    (f"startup: SetTimerEx(0, 1, 0, 0); return; timer: {SEEN} return;", None),
+    (f"startup: SetPulse(Rand()); return; pulse: {SEEN} return;", None),
     (f"startup: while (1) {{ {SEEN} Sleep(0.01); }} return;", "0.01"),
     (f"startup: while (1) {{ {SEEN} Sleep(0.01); Sleep(0.01); }} return;", None),
     (f"startup: while (1) {{ {SEEN} call nap; }} return; nap: Sleep(0.005); Sleep(0.01); return;", "0.015"),

@@ -69,7 +69,7 @@ def sight_in_every_frame(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         end
     """
     for spot in ours(facts):
-        if spot.pulse > 0 and outruns_frames(spot.pulse) and spot.lasts:
+        if outruns_frames(spot.pulse) and spot.lasts:
             yield Finding(
                 place_of(spot.runner),
                 f"{spot.runner.title} tests sight every {spot.pulse:.6g} s, but a frame takes {SHORTEST} s",
