@@ -15,7 +15,7 @@ import numpy.typing as npt
 from jktools._native_file import verify_level  # noqa: TID251 (this package is the door)
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import is_intact
-from jktools.compiler.columns import OMISSION, SECTIONS, TEXT, Column, camel_case
+from jktools.compiler.columns import OMISSION, SECTIONS, STRINGS, TEXT, Column, camel_case
 from jktools.compiler.errors import CompiledFileError
 from jktools.compiler.packing import INDICES, VECTORS, Stored, absent
 from jktools.compiler.ranges import columns_fault, first_fault, text_fault
@@ -67,6 +67,11 @@ class Section:
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.stored]
+
+    @property
+    def texts(self) -> frozenset[str]:
+        """The columns that count strings."""
+        return frozenset(name for name in self.stored if self._declared[name].index_of == STRINGS)
 
     @property
     def columns(self) -> dict[str, npt.NDArray[Any]]:
@@ -186,14 +191,15 @@ class CompiledLevel:
 
     def _columns(self, table: Any, columns: Mapping[str, Column]) -> dict[str, Stored]:
         minor = self._root.FormatMinor()
+        stored = {
+            name: _stored(table, name, column)
+            for name, column in columns.items()
+            if column.since <= minor and (column.until is None or minor <= column.until)
+        }
         found: dict[str, Stored] = {}
-        for name, column in columns.items():
-            if column.since <= minor and (column.until is None or minor <= column.until):
-                stored = _stored(table, name, column)
-                if stored is None:
-                    leader = found.get(column.rows_of) if column.rows_of else None
-                    stored = absent(column, 0 if leader is None else len(leader))
-                found[name] = stored
+        for name, form in stored.items():
+            leader = stored.get(columns[name].rows_of or "")
+            found[name] = absent(columns[name], 0 if leader is None else len(leader)) if form is None else form
         return found
 
     def _text(self, data: bytes) -> str:
