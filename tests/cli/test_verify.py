@@ -59,10 +59,10 @@ def test_a_source_elsewhere(place: str, here: Path, capsys: pytest.CaptureFixtur
 
 def test_what_differs_is_named_and_ends_with_1(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     data = compile_level(level_of(TWO_ROOMS, "rooms.jkl"))
-    (here / "rooms.jklb").write_bytes(changed(data, "geometry", "surface_geometry_mode", 3))
+    (here / "rooms.jklb").write_bytes(changed(data, "geometry", "vertices", 0x40, octet=3))
     assert main(["inspect", "rooms.jklb", "--verify", "--json"]) == 1
     shown = capsys.readouterr()
-    fault = "geometry.surface_geometry_mode 0 is 3, but 4 when compiled again"
+    fault = "geometry.vertices 0 is [2. 0. 0.], but [0. 0. 0.] when compiled again"
     assert shown.err == f"jktools: error: rooms.jklb is not what it was compiled from: {fault}\n"
     assert json.loads(shown.out)["fault"] == fault
 
