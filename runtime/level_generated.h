@@ -5458,7 +5458,17 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_THING_PACKED = 80,
     VT_DROP_START_PACKED = 82,
     VT_DROP_END_PACKED = 84,
-    VT_TRAITS_PACKED = 86
+    VT_TRAITS_PACKED = 86,
+    VT_CARRIER = 88,
+    VT_CARRIER_FRAME = 90,
+    VT_CARRIER_FACE = 92,
+    VT_ONTO = 94,
+    VT_ONTO_FACE = 96,
+    VT_CARRIER_PACKED = 98,
+    VT_CARRIER_FRAME_PACKED = 100,
+    VT_CARRIER_FACE_PACKED = 102,
+    VT_ONTO_PACKED = 104,
+    VT_ONTO_FACE_PACKED = 106
   };
   /// The distinct bodies. A body whose hover height is not known (NaN) has no ledges and no basins.
   const ::flatbuffers::Vector<float> *body_movesize() const {
@@ -5500,11 +5510,11 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *body_ledge_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_LEDGE_START);
   }
-  /// The floor.
+  /// The surface whose edge it is, or -1 for a thing's.
   const ::flatbuffers::Vector<int32_t> *surface() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE);
   }
-  /// The edge goes from this corner of the surface to the following one.
+  /// The edge goes from this corner of the surface, or of the thing's face, to the following one.
   const ::flatbuffers::Vector<uint8_t> *corner() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_CORNER);
   }
@@ -5628,6 +5638,46 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Packed *traits_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TRAITS_PACKED);
   }
+  /// For the edge of a thing: its source index; -1 for a surface's.
+  const ::flatbuffers::Vector<int32_t> *carrier() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER);
+  }
+  /// Where that thing is: -1 as it is placed, else its frame.
+  const ::flatbuffers::Vector<int32_t> *carrier_frame() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER_FRAME);
+  }
+  /// The face of its model at rest whose edge it is; -1 for a surface's.
+  const ::flatbuffers::Vector<int32_t> *carrier_face() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER_FACE);
+  }
+  /// Source index of the thing come onto, or that blocks; -1 for none.
+  const ::flatbuffers::Vector<int32_t> *onto() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ONTO);
+  }
+  /// The face of its model at rest; -1 for none.
+  const ::flatbuffers::Vector<int32_t> *onto_face() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ONTO_FACE);
+  }
+  /// `carrier`, packed.
+  const jktools::Packed *carrier_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CARRIER_PACKED);
+  }
+  /// `carrier_frame`, packed.
+  const jktools::Packed *carrier_frame_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CARRIER_FRAME_PACKED);
+  }
+  /// `carrier_face`, packed.
+  const jktools::Packed *carrier_face_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CARRIER_FACE_PACKED);
+  }
+  /// `onto`, packed.
+  const jktools::Packed *onto_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ONTO_PACKED);
+  }
+  /// `onto_face`, packed.
+  const jktools::Packed *onto_face_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ONTO_FACE_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -5715,6 +5765,26 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyTable(drop_end_packed()) &&
            VerifyOffset(verifier, VT_TRAITS_PACKED) &&
            verifier.VerifyTable(traits_packed()) &&
+           VerifyOffset(verifier, VT_CARRIER) &&
+           verifier.VerifyVector(carrier()) &&
+           VerifyOffset(verifier, VT_CARRIER_FRAME) &&
+           verifier.VerifyVector(carrier_frame()) &&
+           VerifyOffset(verifier, VT_CARRIER_FACE) &&
+           verifier.VerifyVector(carrier_face()) &&
+           VerifyOffset(verifier, VT_ONTO) &&
+           verifier.VerifyVector(onto()) &&
+           VerifyOffset(verifier, VT_ONTO_FACE) &&
+           verifier.VerifyVector(onto_face()) &&
+           VerifyOffset(verifier, VT_CARRIER_PACKED) &&
+           verifier.VerifyTable(carrier_packed()) &&
+           VerifyOffset(verifier, VT_CARRIER_FRAME_PACKED) &&
+           verifier.VerifyTable(carrier_frame_packed()) &&
+           VerifyOffset(verifier, VT_CARRIER_FACE_PACKED) &&
+           verifier.VerifyTable(carrier_face_packed()) &&
+           VerifyOffset(verifier, VT_ONTO_PACKED) &&
+           verifier.VerifyTable(onto_packed()) &&
+           VerifyOffset(verifier, VT_ONTO_FACE_PACKED) &&
+           verifier.VerifyTable(onto_face_packed()) &&
            verifier.EndTable();
   }
 };
@@ -5849,6 +5919,36 @@ struct LedgesBuilder {
   void add_traits_packed(::flatbuffers::Offset<jktools::Packed> traits_packed) {
     fbb_.AddOffset(Ledges::VT_TRAITS_PACKED, traits_packed);
   }
+  void add_carrier(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier) {
+    fbb_.AddOffset(Ledges::VT_CARRIER, carrier);
+  }
+  void add_carrier_frame(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_frame) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FRAME, carrier_frame);
+  }
+  void add_carrier_face(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_face) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FACE, carrier_face);
+  }
+  void add_onto(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto) {
+    fbb_.AddOffset(Ledges::VT_ONTO, onto);
+  }
+  void add_onto_face(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto_face) {
+    fbb_.AddOffset(Ledges::VT_ONTO_FACE, onto_face);
+  }
+  void add_carrier_packed(::flatbuffers::Offset<jktools::Packed> carrier_packed) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_PACKED, carrier_packed);
+  }
+  void add_carrier_frame_packed(::flatbuffers::Offset<jktools::Packed> carrier_frame_packed) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FRAME_PACKED, carrier_frame_packed);
+  }
+  void add_carrier_face_packed(::flatbuffers::Offset<jktools::Packed> carrier_face_packed) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FACE_PACKED, carrier_face_packed);
+  }
+  void add_onto_packed(::flatbuffers::Offset<jktools::Packed> onto_packed) {
+    fbb_.AddOffset(Ledges::VT_ONTO_PACKED, onto_packed);
+  }
+  void add_onto_face_packed(::flatbuffers::Offset<jktools::Packed> onto_face_packed) {
+    fbb_.AddOffset(Ledges::VT_ONTO_FACE_PACKED, onto_face_packed);
+  }
   explicit LedgesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -5903,8 +6003,28 @@ inline ::flatbuffers::Offset<Ledges> CreateLedges(
     ::flatbuffers::Offset<jktools::Packed> thing_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> drop_start_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> drop_end_packed = 0,
-    ::flatbuffers::Offset<jktools::Packed> traits_packed = 0) {
+    ::flatbuffers::Offset<jktools::Packed> traits_packed = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_frame = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_face = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto_face = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_frame_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_face_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_face_packed = 0) {
   LedgesBuilder builder_(_fbb);
+  builder_.add_onto_face_packed(onto_face_packed);
+  builder_.add_onto_packed(onto_packed);
+  builder_.add_carrier_face_packed(carrier_face_packed);
+  builder_.add_carrier_frame_packed(carrier_frame_packed);
+  builder_.add_carrier_packed(carrier_packed);
+  builder_.add_onto_face(onto_face);
+  builder_.add_onto(onto);
+  builder_.add_carrier_face(carrier_face);
+  builder_.add_carrier_frame(carrier_frame);
+  builder_.add_carrier(carrier);
   builder_.add_traits_packed(traits_packed);
   builder_.add_drop_end_packed(drop_end_packed);
   builder_.add_drop_start_packed(drop_start_packed);
@@ -5993,7 +6113,17 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
     ::flatbuffers::Offset<jktools::Packed> thing_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> drop_start_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> drop_end_packed = 0,
-    ::flatbuffers::Offset<jktools::Packed> traits_packed = 0) {
+    ::flatbuffers::Offset<jktools::Packed> traits_packed = 0,
+    const std::vector<int32_t> *carrier = nullptr,
+    const std::vector<int32_t> *carrier_frame = nullptr,
+    const std::vector<int32_t> *carrier_face = nullptr,
+    const std::vector<int32_t> *onto = nullptr,
+    const std::vector<int32_t> *onto_face = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> carrier_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_frame_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_face_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_face_packed = 0) {
   auto body_movesize__ = body_movesize ? _fbb.CreateVector<float>(*body_movesize) : 0;
   auto body_hover__ = body_hover ? _fbb.CreateVector<float>(*body_hover) : 0;
   auto body_reattach__ = body_reattach ? _fbb.CreateVector<float>(*body_reattach) : 0;
@@ -6015,6 +6145,11 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
   auto drop_start__ = drop_start ? _fbb.CreateVector<float>(*drop_start) : 0;
   auto drop_end__ = drop_end ? _fbb.CreateVector<float>(*drop_end) : 0;
   auto traits__ = traits ? _fbb.CreateVector<uint8_t>(*traits) : 0;
+  auto carrier__ = carrier ? _fbb.CreateVector<int32_t>(*carrier) : 0;
+  auto carrier_frame__ = carrier_frame ? _fbb.CreateVector<int32_t>(*carrier_frame) : 0;
+  auto carrier_face__ = carrier_face ? _fbb.CreateVector<int32_t>(*carrier_face) : 0;
+  auto onto__ = onto ? _fbb.CreateVector<int32_t>(*onto) : 0;
+  auto onto_face__ = onto_face ? _fbb.CreateVector<int32_t>(*onto_face) : 0;
   return jktools::CreateLedges(
       _fbb,
       body_movesize__,
@@ -6058,7 +6193,17 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
       thing_packed,
       drop_start_packed,
       drop_end_packed,
-      traits_packed);
+      traits_packed,
+      carrier__,
+      carrier_frame__,
+      carrier_face__,
+      onto__,
+      onto_face__,
+      carrier_packed,
+      carrier_frame_packed,
+      carrier_face_packed,
+      onto_packed,
+      onto_face_packed);
 }
 
 /// Floors that a body can come down to and whose every way out goes up.

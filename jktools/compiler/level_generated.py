@@ -8463,7 +8463,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
-    # The floor.
+    # The surface whose edge it is, or -1 for a thing's.
     # Ledges
     def Surface(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -8491,7 +8491,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
         return o == 0
 
-    # The edge goes from this corner of the surface to the following one.
+    # The edge goes from this corner of the surface, or of the thing's face, to the following one.
     # Ledges
     def Corner(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -9002,8 +9002,203 @@ class Ledges(object):
             return obj
         return None
 
+    # For the edge of a thing: its source index; -1 for a surface's.
+    # Ledges
+    def Carrier(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Ledges
+    def CarrierAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Ledges
+    def CarrierLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Ledges
+    def CarrierIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        return o == 0
+
+    # Where that thing is: -1 as it is placed, else its frame.
+    # Ledges
+    def CarrierFrame(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Ledges
+    def CarrierFrameAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Ledges
+    def CarrierFrameLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Ledges
+    def CarrierFrameIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        return o == 0
+
+    # The face of its model at rest whose edge it is; -1 for a surface's.
+    # Ledges
+    def CarrierFace(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Ledges
+    def CarrierFaceAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Ledges
+    def CarrierFaceLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Ledges
+    def CarrierFaceIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        return o == 0
+
+    # Source index of the thing come onto, or that blocks; -1 for none.
+    # Ledges
+    def Onto(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Ledges
+    def OntoAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Ledges
+    def OntoLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Ledges
+    def OntoIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        return o == 0
+
+    # The face of its model at rest; -1 for none.
+    # Ledges
+    def OntoFace(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Ledges
+    def OntoFaceAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Ledges
+    def OntoFaceLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Ledges
+    def OntoFaceIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        return o == 0
+
+    # `carrier`, packed.
+    # Ledges
+    def CarrierPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(98))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `carrier_frame`, packed.
+    # Ledges
+    def CarrierFramePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(100))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `carrier_face`, packed.
+    # Ledges
+    def CarrierFacePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(102))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `onto`, packed.
+    # Ledges
+    def OntoPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(104))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `onto_face`, packed.
+    # Ledges
+    def OntoFacePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(106))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def LedgesStart(builder):
-    builder.StartObject(42)
+    builder.StartObject(52)
 
 def LedgesAddBodyMovesize(builder, bodyMovesize):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(bodyMovesize), 0)
@@ -9193,6 +9388,51 @@ def LedgesAddDropEndPacked(builder, dropEndPacked):
 
 def LedgesAddTraitsPacked(builder, traitsPacked):
     builder.PrependUOffsetTRelativeSlot(41, flatbuffers.number_types.UOffsetTFlags.py_type(traitsPacked), 0)
+
+def LedgesAddCarrier(builder, carrier):
+    builder.PrependUOffsetTRelativeSlot(42, flatbuffers.number_types.UOffsetTFlags.py_type(carrier), 0)
+
+def LedgesStartCarrierVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LedgesAddCarrierFrame(builder, carrierFrame):
+    builder.PrependUOffsetTRelativeSlot(43, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFrame), 0)
+
+def LedgesStartCarrierFrameVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LedgesAddCarrierFace(builder, carrierFace):
+    builder.PrependUOffsetTRelativeSlot(44, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFace), 0)
+
+def LedgesStartCarrierFaceVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LedgesAddOnto(builder, onto):
+    builder.PrependUOffsetTRelativeSlot(45, flatbuffers.number_types.UOffsetTFlags.py_type(onto), 0)
+
+def LedgesStartOntoVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LedgesAddOntoFace(builder, ontoFace):
+    builder.PrependUOffsetTRelativeSlot(46, flatbuffers.number_types.UOffsetTFlags.py_type(ontoFace), 0)
+
+def LedgesStartOntoFaceVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LedgesAddCarrierPacked(builder, carrierPacked):
+    builder.PrependUOffsetTRelativeSlot(47, flatbuffers.number_types.UOffsetTFlags.py_type(carrierPacked), 0)
+
+def LedgesAddCarrierFramePacked(builder, carrierFramePacked):
+    builder.PrependUOffsetTRelativeSlot(48, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFramePacked), 0)
+
+def LedgesAddCarrierFacePacked(builder, carrierFacePacked):
+    builder.PrependUOffsetTRelativeSlot(49, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFacePacked), 0)
+
+def LedgesAddOntoPacked(builder, ontoPacked):
+    builder.PrependUOffsetTRelativeSlot(50, flatbuffers.number_types.UOffsetTFlags.py_type(ontoPacked), 0)
+
+def LedgesAddOntoFacePacked(builder, ontoFacePacked):
+    builder.PrependUOffsetTRelativeSlot(51, flatbuffers.number_types.UOffsetTFlags.py_type(ontoFacePacked), 0)
 
 def LedgesEnd(builder):
     return builder.EndObject()

@@ -18,8 +18,9 @@ from jktools.compiler.checksum import is_intact
 from jktools.compiler.columns import OMISSION, SECTIONS, STRINGS, TEXT, Column, camel_case
 from jktools.compiler.errors import CompiledFileError
 from jktools.compiler.packing import INDICES, VECTORS, Stored, absent
+from jktools.compiler.queries import Basin, Ledge, basins_of, ledges_at, plan_of
 from jktools.compiler.ranges import columns_fault, first_fault, text_fault
-from jktools.geometry import expanded, unpacked
+from jktools.geometry import SectorMesh, expanded, unpacked
 
 FORMAT_MAJOR, FORMAT_MINOR = 1, 2
 """Version of the format that this code writes; it reads every file of the same major version."""
@@ -234,6 +235,30 @@ class CompiledLevel:
         except ValueError as error:
             raise CompiledFileError(f"cannot read {self.path}: the file is damaged; build it again") from error
         return unpacked(matrix)
+
+    @cached_property
+    def mesh(self) -> SectorMesh:
+        """The sectors as a mesh over the file's own vertices: sight, drop and location, without the level's source.
+
+        At `balanced` and `exact` the file holds the vertices as read, and its mesh answers as the level's own does; a
+        file of `fast` answers about vertices on its grid.
+        """
+        return SectorMesh.from_plan(plan_of(self.geometry))
+
+    def ledges_at(self, body: int, surface: int, corner: int, place: float | None = None) -> list[Ledge]:
+        """What a body meets beyond the edge that goes from a corner of a floor to the next one, along the edge.
+
+        With `place`, 0 .. 1 along the edge, the first that holds it. An edge, or a part of one, without a ledge goes
+        on level. Raises IndexError for a body that the file does not have.
+        """
+        if self.ledges is None:
+            raise IndexError(f"body {body} does not exist: there are 0")
+        found = list(ledges_at(self.ledges, body, surface, corner))
+        return found if place is None else [each for each in found if each.start <= place <= each.end][:1]
+
+    def basins_of(self, body: int) -> list[Basin]:
+        """Where a body can fall in and every way out goes up; none for a body that the file does not have."""
+        return [] if self.basins is None else list(basins_of(self.basins, body))
 
     @property
     def vertex_step(self) -> float:

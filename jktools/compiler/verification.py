@@ -11,8 +11,7 @@ import numpy.typing as npt
 from jktools.compiler.columns import SECTIONS
 from jktools.compiler.reader import CompiledLevel, Section
 from jktools.engine.light import light_on_vertices
-from jktools.geometry import SectorMesh
-from jktools.geometry.mesh import ADJOIN_VISIBLE, BLOCKS, Accuracy
+from jktools.geometry import Accuracy
 
 LIGHT_WITHIN = 1e-5
 """The pass adds up light in double precision from a place that the file holds in single."""
@@ -104,7 +103,7 @@ def _visibility_fault(level: CompiledLevel, accuracy: Accuracy) -> str | None:
     stored = level.visible_sectors
     assert stored is not None
     try:
-        derived = mesh_of(level).visibility(accuracy)
+        derived = level.mesh.visibility(accuracy)
     except ValueError as error:  # a vertex that is not finite
         return f"there is no visibility in such geometry: {error}"
     missing = np.argwhere(derived & ~stored)
@@ -112,22 +111,6 @@ def _visibility_fault(level: CompiledLevel, accuracy: Accuracy) -> str | None:
         return None
     a, b = missing[0]
     return f"sector {b} can be seen from sector {a}, but the file denies it ({len(missing)} such pairs)"
-
-
-def mesh_of(level: CompiledLevel) -> SectorMesh:
-    """The mesh of the file's own geometry, adjoins as they are."""
-    geometry = level.geometry
-    surface = geometry.adjoin_surface[geometry.adjoin_mirror]
-    behind = np.where(surface >= 0, geometry.surface_sector[surface], BLOCKS)
-    shows = np.append(np.where(geometry.adjoin_flags & ADJOIN_VISIBLE, behind, BLOCKS), BLOCKS)
-    return SectorMesh.from_arrays(
-        geometry.vertices,
-        geometry.surface_corner_start,
-        geometry.corner_vertex,
-        shows[geometry.surface_adjoin],
-        geometry.sector_first_surface,
-        geometry.sector_surface_count,
-    )
 
 
 def _light_fault(level: CompiledLevel) -> str | None:
