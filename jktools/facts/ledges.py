@@ -165,16 +165,15 @@ def ledges_of(
     placed: an edge that is not of one kind then is UNKNOWN there, and so is one with a way down through the ball of a
     thing whose model is not at hand. The edges of a thing at a frame are judged with the thing there.
     """
-    limits = {each: Limits.of(walker, each) for each in Engine}
     radius = walker.body.movesize
-    shallow = min(min(each.hover, each.reattach) for each in limits.values())
+    shallow = min(min(walker.hover(each), walker.reattach(each)) for each in Engine)
     rises = math.ceil(min(walker.apex() / radius, MOST_RISES))
-    gait = Gait(limits[engine].hover, radius, radius, rises, shallow)
+    gait = Gait(walker.hover(engine), radius, radius, rises, shallow)
 
     def judged(scene: Scene, rows: Int32) -> Judged:
         samples = SAMPLES if accuracy == "fast" else 0
         found = edges.beyond(gait, samples, threads, edges=rows, present=scene.present, exact=accuracy == "exact")
-        return judge(found, limits, radius, engine)
+        return judge(found, walker, engine)
 
     placed, *moved = floors.scenes()
     whole = judged(placed, edges.edges_of(placed.present))
