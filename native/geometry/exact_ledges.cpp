@@ -231,6 +231,9 @@ private:
         return (normal[0] * out_[0] + normal[1] * out_[1]) / normal[2];
     }
 
+    // How far above the edge the way up begins.
+    double start_up() const { return (home_ < 0 ? kOnFace : 0) + kBeyond * slope_; }
+
     double off(int which) const { return (which + 1) * gait_.radius; }
 
     Point beside(double t, double side, double up) const {
@@ -359,7 +362,7 @@ private:
     }
 
     Met at(double t) {
-        const Point inner = beside(t, -kBeyond, kOnEdge + kBeyond * slope_);
+        const Point inner = beside(t, -kBeyond, start_up());
         const Index home = home_of(inner);
         Met met{Over::kBlocked, -1, -1, home, 0, std::nullopt, {}};
         if (home < 0) return met;
@@ -571,7 +574,7 @@ private:
             const Number met = dot(normal, vector(t.a) - from) / change;
             if (met >= low && met <= high) add(met, breaks);
         };
-        pierced(-kBeyond, kOnEdge + kBeyond * slope_);
+        pierced(-kBeyond, start_up());
         for (Index rise = 0; rise <= gait_.rises; ++rise)
             for (const double side : {-kBeyond, kBeyond}) pierced(side, gait_.hover + rise * gait_.rise);
     }

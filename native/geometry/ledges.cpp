@@ -194,7 +194,7 @@ private:
     // Where the way up begins.
     Point inner(double t) const {
         const double rises = (normal_[0] * out_[0] + normal_[1] * out_[1]) / normal_[2];
-        return beside(t, -kBeyond, kOnEdge + kBeyond * rises);
+        return beside(t, -kBeyond, (home_ < 0 ? kOnFace : 0) + kBeyond * rises);
     }
 
     Found at(double t) {
