@@ -143,6 +143,15 @@ class Ledges:
         """The lesser drop of both ends."""
         return np.fmin(self.drop_start, self.drop_end)
 
+    def spread(self) -> Float64:
+        """How far the drops of all intervals of an edge that lead down to one floor or up to it differ, JKU."""
+        _, way = np.unique(np.stack([self.edge, self.below, self.face]), axis=1, return_inverse=True)
+        way = way.reshape(-1)
+        most, least = np.full(len(self), -np.inf), np.full(len(self), np.inf)
+        np.fmax.at(most, way, self.deepest)
+        np.fmin.at(least, way, self.least)
+        return (most - least)[way]
+
     def middle(self, row: int) -> tuple[float, float, float]:
         """A point of the edge, JKU."""
         (here,), (there,) = self.edges.ends([self.edge[row]])
