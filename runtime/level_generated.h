@@ -3479,11 +3479,13 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *things() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_THINGS);
   }
-  /// 1 where play can create more things that carry it.
+  /// 1 where there can be more calls than is known: play can create more things that carry it, it gets messages from a
+  /// script that sends them to a COG which is not known.
   const ::flatbuffers::Vector<uint8_t> *more() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_MORE);
   }
-  /// Of what lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing bounds it.
+  /// At most, of what is known and lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing
+  /// bounds it.
   const ::flatbuffers::Vector<double> *calls_per_second() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_CALLS_PER_SECOND);
   }

@@ -5332,7 +5332,8 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
-    # 1 where play can create more things that carry it.
+    # 1 where there can be more calls than is known: play can create more things that carry it, it gets messages from a
+    # script that sends them to a COG which is not known.
     # Hotspots
     def More(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -5360,7 +5361,8 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
-    # Of what lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing bounds it.
+    # At most, of what is known and lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing
+    # bounds it.
     # Hotspots
     def CallsPerSecond(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
