@@ -6,13 +6,17 @@ what a body does that is walked over it with `jktools trace`.
 
 from __future__ import annotations
 
+import os
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pytest
 
+from fixtures.smithdev.chambers import pit_rows
+from fixtures.smithdev.pack import made_files
 from jktools.facts.ledges import Kind
-from tests.experiments.conftest import Compile
+from tests.experiments.conftest import Compile, CompileFiles
 from tests.experiments.smithdev import GOLDEN, HANDLE, Experiment
 from tests.experiments.tracing import Run
 
@@ -113,19 +117,40 @@ def test_below_the_movesize_the_offset_does_not_count(compiled: Compile, offset:
     assert limits == [0.13, 0.1349]
 
 
-@pytest.mark.parametrize("accuracy", ["balanced", "exact"])
+TOLD_APART = [
+    ("0.120114", "0.1851", "0.1852"), ("0.01", "0.13", "0.1301"), ("0.06", "0.13", "0.1301"),
+    ("0.2", "0.265", "0.2651"), ("0.4", "0.465", "0.4651"),
+]  # fmt: skip
+"""Insert offset and two depths 0.0001 JKU apart, of which one is seamless by `research` and the next is not."""
+
+
+@pytest.mark.parametrize("accuracy", ["fast", "balanced"])
 def test_pits_a_ten_thousandth_apart_are_told_apart(compiled: Compile, accuracy: str) -> None:
-    level = compiled("--accuracy", accuracy, "--only", "ledges")
-    verdicts = {(p["insert_offset"], p["depth"]): seamless(level, p) for p in PITS}
+    assert told_apart(compiled("--accuracy", accuracy)) == TOLD_APART
+
+
+@pytest.mark.skipif("JKTOOLS_FUZZ" not in os.environ, reason="minutes: make fuzz runs it")
+def test_pits_are_told_apart_at_exact(compiled: Compile) -> None:
+    assert told_apart(compiled("--accuracy", "exact")) == TOLD_APART
+
+
+def test_pits_are_told_apart_at_exact_in_the_chamber_alone(compile_files: CompileFiles) -> None:
+    """The whole level takes minutes at `exact`: here the generator lays out two of the rows only."""
+    rows = pit_rows.ROWS[:2]
+    alone = pit_rows.CHAMBER._replace(build=partial(pit_rows.build, rows=rows))
+    level = compile_files(made_files((alone,), ()), "--accuracy", "exact", "--only", "ledges")
+    assert told_apart(level) == TOLD_APART[:2]
+
+
+def told_apart(level: Experiment) -> list[tuple[str, str, str]]:
+    """The neighbours in depth that get different verdicts."""
+    verdicts = {(p["insert_offset"], p["depth"]): seamless(level, p) for p in level.about("pit_rows")["pits"]}
     told = []
     for (offset, depth), verdict in verdicts.items():
         deeper = f"{round(float(depth) + 1e-4, 4)}"
         if (offset, deeper) in verdicts and verdict is not verdicts[offset, deeper]:
             told.append((offset, depth, deeper))
-    assert told == [
-        ("0.120114", "0.1851", "0.1852"), ("0.01", "0.13", "0.1301"), ("0.06", "0.13", "0.1301"),
-        ("0.2", "0.265", "0.2651"), ("0.4", "0.465", "0.4651"),
-    ]  # fmt: skip
+    return told
 
 
 # ---- what a body does that is walked over them
