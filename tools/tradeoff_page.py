@@ -21,8 +21,7 @@ from jktools.model import Level
 from jktools.session import Settings, discover, load
 from jktools.session.levels import read_level
 from jktools.tradeoff import PASSES, TIERS, Asked, Plan, Row, measure
-from jktools.tradeoff.plot import draw
-from jktools.tradeoff.write import cell_of, duration
+from jktools.tradeoff.write import cell_of
 
 ROOT = Path(__file__).resolve().parent.parent
 CORPUS = ROOT.parent / "shared" / "corpus"
@@ -41,7 +40,7 @@ GROUPS = (
     ("build",),
 )
 """Measured and kept together, the quick ones first."""
-QUERIES, SEED = 12_000, 1997
+QUERIES, SEED = 8_000, 1997
 
 Figures = dict[str, dict[str, Any]]
 """By level and pass: why there is nothing, or the cells by tier as `jktools tradeoff --json` has them."""
@@ -60,7 +59,9 @@ def levels() -> list[tuple[str, str, Level]]:
     return sorted(found, key=lambda each: len(each[2].surfaces))
 
 
-def run(figures: Figures, again: Sequence[str], seconds: float, keep: Callable[[], None]) -> None:
+def run(
+    figures: Figures, chosen: Sequence[str], again: Sequence[str], seconds: float, keep: Callable[[], None]
+) -> None:
     """Measure what the figures do not hold."""
     found = levels()
     names = {name for name, *_ in found}
@@ -69,7 +70,7 @@ def run(figures: Figures, again: Sequence[str], seconds: float, keep: Callable[[
     for each in figures.values():
         for name in again:
             each.pop(name, None)
-    for group in GROUPS:
+    for group in (group for group in GROUPS if not chosen or set(group) & set(chosen)):
         for name, path, level in found:
             held = figures.setdefault(name, {})
             held["level"] = {
@@ -81,7 +82,7 @@ def run(figures: Figures, again: Sequence[str], seconds: float, keep: Callable[[
                 continue
             # The exact build is its parts again: minutes that tell nothing new.
             tiers = TIERS[:2] if group == ("build",) else TIERS
-            plan = Plan(Asked(Engine.RESEARCH, QUERIES, SEED), group, tiers, seconds, repeat_seconds=4.0)
+            plan = Plan(Asked(Engine.RESEARCH, QUERIES, SEED), group, tiers, seconds, repeat_seconds=0.5)
             for row in measure(functools.partial(load, path), plan):
                 held[row.found.name] = _kept(row)
             print(name, ", ".join(group), flush=True)
@@ -163,6 +164,7 @@ class Corpus:
 def main() -> None:
     """The command line."""
     arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("--passes", default="", help="those to measure, between commas; all by default")
     arguments.add_argument("--again", default="", help="passes to measure anew, between commas")
     arguments.add_argument("--time-limit", type=float, default=600.0, help="seconds a cell")
     arguments.add_argument("--write", action="store_true", help="measure nothing")
@@ -172,7 +174,8 @@ def main() -> None:
         if not CORPUS.exists():
             print(f"no levels at {CORPUS}: nothing measured")
             return
-        run(figures, [name for name in options.again.split(",") if name], options.time_limit, lambda: write(figures))
+        chosen, again = ([name for name in text.split(",") if name] for text in (options.passes, options.again))
+        run(figures, chosen, again, options.time_limit, lambda: write(figures))
         write(figures)
 
 
