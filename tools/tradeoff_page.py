@@ -10,8 +10,7 @@ from __future__ import annotations
 import argparse
 import functools
 import json
-import statistics
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,14 +20,15 @@ from jktools.model import Level
 from jktools.session import Settings, discover, load
 from jktools.session.levels import read_level
 from jktools.tradeoff import PASSES, TIERS, Asked, Plan, Row, measure
+from jktools.tradeoff.plot import draw
 from jktools.tradeoff.write import cell_of
+from tools.tradeoff_text import Figures, page
 
 ROOT = Path(__file__).resolve().parent.parent
 CORPUS = ROOT.parent / "shared" / "corpus"
 FIGURES = "docs/tradeoffs.json"
 PAGE = "docs/tradeoffs.md"
 PLOT = "docs/tradeoffs.svg"
-TEXT = Path(__file__).with_suffix(".txt")
 GROUPS = (
     ("location",),
     ("sight",),
@@ -41,9 +41,6 @@ GROUPS = (
 )
 """Measured and kept together, the quick ones first."""
 QUERIES, SEED = 8_000, 1997
-
-Figures = dict[str, dict[str, Any]]
-"""By level and pass: why there is nothing, or the cells by tier as `jktools tradeoff --json` has them."""
 
 
 def levels() -> list[tuple[str, str, Level]]:
@@ -129,36 +126,27 @@ def write(figures: Figures) -> None:
     fresh.replace(target)
 
 
-class Corpus:
-    """The figures of all levels together."""
+def plot(figures: Figures) -> bytes:
+    """Time against error of all levels, one panel a pass."""
+    panels = []
+    for name, found in PASSES.items():
+        points = [
+            (tier, held[name][tier]["seconds"], held[name][tier]["worst"])
+            for held in figures.values()
+            for tier in TIERS
+            if "worst" in held.get(name, {}).get(tier, {})
+        ]
+        if points:
+            panels.append((name, found.measure, points))
+    return draw(panels, f"{len(figures)} levels of real mods: down and left is better", "svg")
 
-    def __init__(self, figures: Figures) -> None:
-        self.figures = figures
 
-    def cells(self, name: str, tier: str, *, beside: str = "") -> Iterator[dict[str, Any]]:
-        """One pass at one tier, of the levels where it was measured there and at another tier."""
-        for each in self.figures.values():
-            held = each.get(name, {})
-            if all("seconds" in held.get(t, {}) for t in (tier, beside or tier)):
-                yield held[tier]
-
-    def ratio(self, name: str, tier: str, other: str, key: str = "seconds") -> float:
-        """How many times as long, the geometric mean over the levels."""
-        pairs = zip(self.cells(name, tier, beside=other), self.cells(name, other, beside=tier), strict=True)
-        return statistics.geometric_mean([max(a[key], 1e-9) / max(b[key], 1e-9) for a, b in pairs])
-
-    def total(self, name: str, tier: str, key: str) -> float:
-        """The sum of one measure of the error, or of a figure, over the levels."""
-        return sum(each.get(key, each.get("measures", {}).get(key, 0)) or 0 for each in self.cells(name, tier))
-
-    def most(self, name: str, tier: str, key: str) -> float:
-        """The greatest over the levels."""
-        found = (each.get(key, each.get("measures", {}).get(key, 0)) or 0 for each in self.cells(name, tier))
-        return max(found, default=0)
-
-    def count(self, name: str, tier: str) -> int:
-        """Levels in which a pass was measured."""
-        return sum(1 for _ in self.cells(name, tier))
+def tradeoff_page(into: Path) -> Path:
+    """Write the page from the figures that are kept."""
+    target = into / PAGE
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_text(page(read(), QUERIES, SEED))
+    return target
 
 
 def main() -> None:
@@ -177,6 +165,8 @@ def main() -> None:
         chosen, again = ([name for name in text.split(",") if name] for text in (options.passes, options.again))
         run(figures, chosen, again, options.time_limit, lambda: write(figures))
         write(figures)
+    print(tradeoff_page(ROOT))
+    (ROOT / PLOT).write_bytes(plot(figures))
 
 
 if __name__ == "__main__":

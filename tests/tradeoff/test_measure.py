@@ -35,7 +35,7 @@ def told(rows: list[Row]) -> dict[tuple[str, str], object]:
     return {(row.found.name, c.tier): (row.nothing, c.bytes, c.error) for row in rows for c in row.cells}
 
 
-def test_everything_of_a_small_level_twice(tmp_path: Path) -> None:
+def test_everything_of_a_small_level(tmp_path: Path) -> None:
     load_rooms = reading(tmp_path)
     rows = measure(load_rooms, plan(repeat_seconds=0.0))
     assert [row.found.name for row in rows] == list(PASSES)
@@ -46,7 +46,8 @@ def test_everything_of_a_small_level_twice(tmp_path: Path) -> None:
             assert (cell.error is None) == (row.found.name == "build")
             assert cell.tier != "exact" or cell.error is None or cell.error.worst == 0
             assert (cell.bytes is None) == (row.found.name in ("location", "sight", "drop"))
-    assert told(measure(load_rooms, plan())) == told(rows)
+    again = measure(load_rooms, plan("sight", "ledges", "basins"))
+    assert told(again).items() <= told(rows).items()
 
 
 def test_another_seed_asks_otherwise(tmp_path: Path) -> None:
