@@ -16,8 +16,8 @@ import numpy as np
 
 from benchmarks.ledge_disagreement import GAIT
 from benchmarks.sight_queries import levels
+from jktools.facts.floors import Floors
 from jktools.facts.ledges import SAMPLES
-from jktools.geometry.exact_ledges import ExactLedges
 from jktools.geometry.ledges import BEYOND, Beyond, EdgeWalker
 from jktools.tradeoff.overlay import Intervals, overlay
 
@@ -26,8 +26,7 @@ SAME_DROP = 1e-9
 
 def differing(edges: EdgeWalker, found: Beyond, exact: Beyond) -> Iterator[float]:
     """The lengths, JKU, of the pieces of edges on which two answers differ."""
-    here, there = edges.ends(np.arange(len(edges.surface)))
-    length = np.linalg.norm((there - here)[:, :2], axis=1)
+    length = np.linalg.norm((edges.there - edges.here)[:, :2], axis=1)
     pieces = overlay(*(Intervals(each.edge, each.start, each.end) for each in (found, exact)))
     one, other = (_at(each, rows, pieces.middle) for each, rows in ((found, pieces.one), (exact, pieces.other)))
     differs = np.any([a != b for a, b in zip(one[:-1], other[:-1], strict=True)], axis=0)
@@ -39,7 +38,7 @@ def _at(found: Beyond, row: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, 
     """What is met at places of edges, and how deep."""
     part = (place - found.start[row]) / (found.end[row] - found.start[row])
     drop = found.drop_start[row] * (1 - part) + found.drop_end[row] * part
-    return found.over[row], found.met[row], found.rise[row], np.nan_to_num(drop, nan=0.0)
+    return found.over[row], found.met[row], found.face[row], found.rise[row], np.nan_to_num(drop, nan=0.0)
 
 
 def main() -> int:
@@ -49,22 +48,21 @@ def main() -> int:
     arguments = parser.parse_args()
     failed = False
     for name, level in levels():
-        edges = EdgeWalker(level)
-        if len(edges.surface) > arguments.edges:
+        floors = Floors.of(level)
+        edges = EdgeWalker(level, floors.solids())
+        placed = next(iter(floors.scenes())).present
+        rows = edges.edges_of(placed)
+        if len(rows) > arguments.edges:
             continue
         seconds, found = [], []
-        for ask in (
-            lambda edges=edges: edges.beyond(GAIT, samples=SAMPLES),
-            lambda edges=edges: edges.beyond(GAIT),
-            lambda edges=edges, level=level: ExactLedges(level, edges).beyond(GAIT),
-        ):
+        for tier in ({"samples": SAMPLES}, {}, {"exact": True}):
             began = time.perf_counter()
-            found.append(ask())
+            found.append(edges.beyond(GAIT, edges=rows, present=placed, **tier))  # type: ignore[arg-type]
             seconds.append(time.perf_counter() - began)
         wrong = [list(differing(edges, each, found[2])) for each in found[:2]]
         long = [sum(piece for piece in each if piece > BEYOND) for each in wrong]
         failed |= long[1] > 0
-        here, there = edges.ends(np.arange(len(edges.surface)))
+        here, there = edges.ends(rows)
         whole = float(np.linalg.norm(there - here, axis=1).sum())
         print(
             f"{name:40} {whole:9.1f} JKU of edges; s {seconds[0]:.3f} {seconds[1]:.3f} {seconds[2]:.2f}; rows "

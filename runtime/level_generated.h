@@ -389,7 +389,10 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
     VT_GAME = 4,
     VT_ENGINE = 6,
-    VT_ACCURACY = 8
+    VT_ACCURACY = 8,
+    VT_CUT_ANYWAY = 10,
+    VT_ONLY = 12,
+    VT_SKIP = 14
   };
   const ::flatbuffers::String *game() const {
     return GetPointer<const ::flatbuffers::String *>(VT_GAME);
@@ -400,6 +403,18 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::String *accuracy() const {
     return GetPointer<const ::flatbuffers::String *>(VT_ACCURACY);
   }
+  /// Whether templates and names were left out that nothing is known to reach. Since 1.2.
+  bool cut_anyway() const {
+    return GetField<uint8_t>(VT_CUT_ANYWAY, 0) != 0;
+  }
+  /// The passes that alone were asked for, sorted; none for all. Since 1.2.
+  const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *only() const {
+    return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_ONLY);
+  }
+  /// The passes that were not to run, sorted. Since 1.2.
+  const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *skip() const {
+    return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_SKIP);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -409,6 +424,13 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyString(engine()) &&
            VerifyOffsetRequired(verifier, VT_ACCURACY) &&
            verifier.VerifyString(accuracy()) &&
+           VerifyField<uint8_t>(verifier, VT_CUT_ANYWAY, 1) &&
+           VerifyOffset(verifier, VT_ONLY) &&
+           verifier.VerifyVector(only()) &&
+           verifier.VerifyVectorOfStrings(only()) &&
+           VerifyOffset(verifier, VT_SKIP) &&
+           verifier.VerifyVector(skip()) &&
+           verifier.VerifyVectorOfStrings(skip()) &&
            verifier.EndTable();
   }
 };
@@ -425,6 +447,15 @@ struct SettingsBuilder {
   }
   void add_accuracy(::flatbuffers::Offset<::flatbuffers::String> accuracy) {
     fbb_.AddOffset(Settings::VT_ACCURACY, accuracy);
+  }
+  void add_cut_anyway(bool cut_anyway) {
+    fbb_.AddElement<uint8_t>(Settings::VT_CUT_ANYWAY, static_cast<uint8_t>(cut_anyway), 0);
+  }
+  void add_only(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> only) {
+    fbb_.AddOffset(Settings::VT_ONLY, only);
+  }
+  void add_skip(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> skip) {
+    fbb_.AddOffset(Settings::VT_SKIP, skip);
   }
   explicit SettingsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
@@ -444,11 +475,17 @@ inline ::flatbuffers::Offset<Settings> CreateSettings(
     ::flatbuffers::FlatBufferBuilder &_fbb,
     ::flatbuffers::Offset<::flatbuffers::String> game = 0,
     ::flatbuffers::Offset<::flatbuffers::String> engine = 0,
-    ::flatbuffers::Offset<::flatbuffers::String> accuracy = 0) {
+    ::flatbuffers::Offset<::flatbuffers::String> accuracy = 0,
+    bool cut_anyway = false,
+    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> only = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> skip = 0) {
   SettingsBuilder builder_(_fbb);
+  builder_.add_skip(skip);
+  builder_.add_only(only);
   builder_.add_accuracy(accuracy);
   builder_.add_engine(engine);
   builder_.add_game(game);
+  builder_.add_cut_anyway(cut_anyway);
   return builder_.Finish();
 }
 
@@ -456,15 +493,23 @@ inline ::flatbuffers::Offset<Settings> CreateSettingsDirect(
     ::flatbuffers::FlatBufferBuilder &_fbb,
     const char *game = nullptr,
     const char *engine = nullptr,
-    const char *accuracy = nullptr) {
+    const char *accuracy = nullptr,
+    bool cut_anyway = false,
+    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *only = nullptr,
+    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *skip = nullptr) {
   auto game__ = game ? _fbb.CreateString(game) : 0;
   auto engine__ = engine ? _fbb.CreateString(engine) : 0;
   auto accuracy__ = accuracy ? _fbb.CreateString(accuracy) : 0;
+  auto only__ = only ? _fbb.CreateVector<::flatbuffers::Offset<::flatbuffers::String>>(*only) : 0;
+  auto skip__ = skip ? _fbb.CreateVector<::flatbuffers::Offset<::flatbuffers::String>>(*skip) : 0;
   return jktools::CreateSettings(
       _fbb,
       game__,
       engine__,
-      accuracy__);
+      accuracy__,
+      cut_anyway,
+      only__,
+      skip__);
 }
 
 /// Whether a pass ran, or why the scene did not need it.
@@ -3479,11 +3524,13 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *things() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_THINGS);
   }
-  /// 1 where play can create more things that carry it.
+  /// 1 where there can be more calls than is known: play can create more things that carry it, it gets messages from a
+  /// script that sends them to a COG which is not known.
   const ::flatbuffers::Vector<uint8_t> *more() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_MORE);
   }
-  /// Of what lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing bounds it.
+  /// At most, of what is known and lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing
+  /// bounds it.
   const ::flatbuffers::Vector<double> *calls_per_second() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_CALLS_PER_SECOND);
   }
@@ -5158,7 +5205,17 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_THING_PACKED = 80,
     VT_DROP_START_PACKED = 82,
     VT_DROP_END_PACKED = 84,
-    VT_TRAITS_PACKED = 86
+    VT_TRAITS_PACKED = 86,
+    VT_CARRIER = 88,
+    VT_CARRIER_FRAME = 90,
+    VT_CARRIER_FACE = 92,
+    VT_ONTO = 94,
+    VT_ONTO_FACE = 96,
+    VT_CARRIER_PACKED = 98,
+    VT_CARRIER_FRAME_PACKED = 100,
+    VT_CARRIER_FACE_PACKED = 102,
+    VT_ONTO_PACKED = 104,
+    VT_ONTO_FACE_PACKED = 106
   };
   /// The distinct bodies. A body whose hover height is not known (NaN) has no ledges and no basins.
   const ::flatbuffers::Vector<float> *body_movesize() const {
@@ -5195,10 +5252,11 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *body_ledge_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_LEDGE_START);
   }
+  /// The surface whose edge it is, or -1 for a thing's.
   const ::flatbuffers::Vector<int32_t> *surface() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE);
   }
-  /// The edge goes from this corner of the surface to the following one.
+  /// The edge goes from this corner of the surface, or of the thing's face, to the following one.
   const ::flatbuffers::Vector<uint8_t> *corner() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_CORNER);
   }
@@ -5299,6 +5357,39 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Packed *traits_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TRAITS_PACKED);
   }
+  /// For the edge of a thing: its source index, where it is (-1 as it is placed, else its frame) and the face of its
+  /// model at rest; -1 for a surface's.
+  const ::flatbuffers::Vector<int32_t> *carrier() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER);
+  }
+  const ::flatbuffers::Vector<int32_t> *carrier_frame() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER_FRAME);
+  }
+  const ::flatbuffers::Vector<int32_t> *carrier_face() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER_FACE);
+  }
+  /// Source index of the thing come onto, or that blocks, and the face of its model at rest; -1 for none.
+  const ::flatbuffers::Vector<int32_t> *onto() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ONTO);
+  }
+  const ::flatbuffers::Vector<int32_t> *onto_face() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ONTO_FACE);
+  }
+  const jktools::Packed *carrier_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CARRIER_PACKED);
+  }
+  const jktools::Packed *carrier_frame_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CARRIER_FRAME_PACKED);
+  }
+  const jktools::Packed *carrier_face_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CARRIER_FACE_PACKED);
+  }
+  const jktools::Packed *onto_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ONTO_PACKED);
+  }
+  const jktools::Packed *onto_face_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ONTO_FACE_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -5386,6 +5477,26 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyTable(drop_end_packed()) &&
            VerifyOffset(verifier, VT_TRAITS_PACKED) &&
            verifier.VerifyTable(traits_packed()) &&
+           VerifyOffset(verifier, VT_CARRIER) &&
+           verifier.VerifyVector(carrier()) &&
+           VerifyOffset(verifier, VT_CARRIER_FRAME) &&
+           verifier.VerifyVector(carrier_frame()) &&
+           VerifyOffset(verifier, VT_CARRIER_FACE) &&
+           verifier.VerifyVector(carrier_face()) &&
+           VerifyOffset(verifier, VT_ONTO) &&
+           verifier.VerifyVector(onto()) &&
+           VerifyOffset(verifier, VT_ONTO_FACE) &&
+           verifier.VerifyVector(onto_face()) &&
+           VerifyOffset(verifier, VT_CARRIER_PACKED) &&
+           verifier.VerifyTable(carrier_packed()) &&
+           VerifyOffset(verifier, VT_CARRIER_FRAME_PACKED) &&
+           verifier.VerifyTable(carrier_frame_packed()) &&
+           VerifyOffset(verifier, VT_CARRIER_FACE_PACKED) &&
+           verifier.VerifyTable(carrier_face_packed()) &&
+           VerifyOffset(verifier, VT_ONTO_PACKED) &&
+           verifier.VerifyTable(onto_packed()) &&
+           VerifyOffset(verifier, VT_ONTO_FACE_PACKED) &&
+           verifier.VerifyTable(onto_face_packed()) &&
            verifier.EndTable();
   }
 };
@@ -5520,6 +5631,36 @@ struct LedgesBuilder {
   void add_traits_packed(::flatbuffers::Offset<jktools::Packed> traits_packed) {
     fbb_.AddOffset(Ledges::VT_TRAITS_PACKED, traits_packed);
   }
+  void add_carrier(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier) {
+    fbb_.AddOffset(Ledges::VT_CARRIER, carrier);
+  }
+  void add_carrier_frame(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_frame) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FRAME, carrier_frame);
+  }
+  void add_carrier_face(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_face) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FACE, carrier_face);
+  }
+  void add_onto(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto) {
+    fbb_.AddOffset(Ledges::VT_ONTO, onto);
+  }
+  void add_onto_face(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto_face) {
+    fbb_.AddOffset(Ledges::VT_ONTO_FACE, onto_face);
+  }
+  void add_carrier_packed(::flatbuffers::Offset<jktools::Packed> carrier_packed) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_PACKED, carrier_packed);
+  }
+  void add_carrier_frame_packed(::flatbuffers::Offset<jktools::Packed> carrier_frame_packed) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FRAME_PACKED, carrier_frame_packed);
+  }
+  void add_carrier_face_packed(::flatbuffers::Offset<jktools::Packed> carrier_face_packed) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FACE_PACKED, carrier_face_packed);
+  }
+  void add_onto_packed(::flatbuffers::Offset<jktools::Packed> onto_packed) {
+    fbb_.AddOffset(Ledges::VT_ONTO_PACKED, onto_packed);
+  }
+  void add_onto_face_packed(::flatbuffers::Offset<jktools::Packed> onto_face_packed) {
+    fbb_.AddOffset(Ledges::VT_ONTO_FACE_PACKED, onto_face_packed);
+  }
   explicit LedgesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -5574,8 +5715,28 @@ inline ::flatbuffers::Offset<Ledges> CreateLedges(
     ::flatbuffers::Offset<jktools::Packed> thing_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> drop_start_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> drop_end_packed = 0,
-    ::flatbuffers::Offset<jktools::Packed> traits_packed = 0) {
+    ::flatbuffers::Offset<jktools::Packed> traits_packed = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_frame = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_face = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto_face = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_frame_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_face_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_face_packed = 0) {
   LedgesBuilder builder_(_fbb);
+  builder_.add_onto_face_packed(onto_face_packed);
+  builder_.add_onto_packed(onto_packed);
+  builder_.add_carrier_face_packed(carrier_face_packed);
+  builder_.add_carrier_frame_packed(carrier_frame_packed);
+  builder_.add_carrier_packed(carrier_packed);
+  builder_.add_onto_face(onto_face);
+  builder_.add_onto(onto);
+  builder_.add_carrier_face(carrier_face);
+  builder_.add_carrier_frame(carrier_frame);
+  builder_.add_carrier(carrier);
   builder_.add_traits_packed(traits_packed);
   builder_.add_drop_end_packed(drop_end_packed);
   builder_.add_drop_start_packed(drop_start_packed);
@@ -5664,7 +5825,17 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
     ::flatbuffers::Offset<jktools::Packed> thing_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> drop_start_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> drop_end_packed = 0,
-    ::flatbuffers::Offset<jktools::Packed> traits_packed = 0) {
+    ::flatbuffers::Offset<jktools::Packed> traits_packed = 0,
+    const std::vector<int32_t> *carrier = nullptr,
+    const std::vector<int32_t> *carrier_frame = nullptr,
+    const std::vector<int32_t> *carrier_face = nullptr,
+    const std::vector<int32_t> *onto = nullptr,
+    const std::vector<int32_t> *onto_face = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> carrier_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_frame_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_face_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_face_packed = 0) {
   auto body_movesize__ = body_movesize ? _fbb.CreateVector<float>(*body_movesize) : 0;
   auto body_hover__ = body_hover ? _fbb.CreateVector<float>(*body_hover) : 0;
   auto body_reattach__ = body_reattach ? _fbb.CreateVector<float>(*body_reattach) : 0;
@@ -5686,6 +5857,11 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
   auto drop_start__ = drop_start ? _fbb.CreateVector<float>(*drop_start) : 0;
   auto drop_end__ = drop_end ? _fbb.CreateVector<float>(*drop_end) : 0;
   auto traits__ = traits ? _fbb.CreateVector<uint8_t>(*traits) : 0;
+  auto carrier__ = carrier ? _fbb.CreateVector<int32_t>(*carrier) : 0;
+  auto carrier_frame__ = carrier_frame ? _fbb.CreateVector<int32_t>(*carrier_frame) : 0;
+  auto carrier_face__ = carrier_face ? _fbb.CreateVector<int32_t>(*carrier_face) : 0;
+  auto onto__ = onto ? _fbb.CreateVector<int32_t>(*onto) : 0;
+  auto onto_face__ = onto_face ? _fbb.CreateVector<int32_t>(*onto_face) : 0;
   return jktools::CreateLedges(
       _fbb,
       body_movesize__,
@@ -5729,7 +5905,17 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
       thing_packed,
       drop_start_packed,
       drop_end_packed,
-      traits_packed);
+      traits_packed,
+      carrier__,
+      carrier_frame__,
+      carrier_face__,
+      onto__,
+      onto_face__,
+      carrier_packed,
+      carrier_frame_packed,
+      carrier_face_packed,
+      onto_packed,
+      onto_face_packed);
 }
 
 /// Floors that a body can come down to and whose every way out goes up.

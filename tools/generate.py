@@ -13,6 +13,7 @@ from pathlib import Path
 from tools.parameter_page import parameter_page
 from tools.reach_table import reach_table
 from tools.rule_pages import count_corpus, rule_pages
+from tools.runtime_sections import runtime_sections
 
 ROOT = Path(__file__).resolve().parent.parent
 SCHEMA = "grammars/level.fbs"
@@ -62,7 +63,7 @@ def level_code(into: Path) -> list[Path]:
 
 def generate(into: Path) -> list[Path]:
     """Write everything beneath `into` and list it."""
-    return [*native_stubs(into), *level_code(into), parameter_page(into), *rule_pages(into)]
+    return [*native_stubs(into), *level_code(into), runtime_sections(into), parameter_page(into), *rule_pages(into)]
 
 
 def main() -> None:

@@ -11,7 +11,7 @@ from jktools.cli.configured import configured, overridden
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
 from jktools.compiler import CHOICES, CompileSettings
-from jktools.emit.printable import printable
+from jktools.emit.printable import printable, printable_step
 from jktools.engine.profile import Engine
 from jktools.geometry.mesh import Accuracy
 from jktools.session import build_all
@@ -89,8 +89,9 @@ def command(
         )
         built = build_all(paths, out, settings, report, compiling, jobs)
     if not quiet:
-        for level, target, size in built.written:
-            click.echo(printable(f"{level} -> {target} ({size} bytes)"))
+        for each in built.written:
+            grid = f", vertices in steps of {printable_step(each.step)} JKU" if each.step else ""
+            click.echo(printable(f"{each.level} -> {each.target} ({each.size} bytes{grid})"))
     for message in built.skipped:
         note(message)
     for message in (*built.refused, *built.problems, *built.bugs):

@@ -558,8 +558,58 @@ class Settings(object):
             return self._tab.String(o + self._tab.Pos)
         return None
 
+    # Whether templates and names were left out that nothing is known to reach. Since 1.2.
+    # Settings
+    def CutAnyway(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            return bool(self._tab.Get(flatbuffers.number_types.BoolFlags, o + self._tab.Pos))
+        return False
+
+    # The passes that alone were asked for, sorted; none for all. Since 1.2.
+    # Settings
+    def Only(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.String(a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return ""
+
+    # Settings
+    def OnlyLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Settings
+    def OnlyIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        return o == 0
+
+    # The passes that were not to run, sorted. Since 1.2.
+    # Settings
+    def Skip(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.String(a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return ""
+
+    # Settings
+    def SkipLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Settings
+    def SkipIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        return o == 0
+
 def SettingsStart(builder):
-    builder.StartObject(3)
+    builder.StartObject(6)
 
 def SettingsAddGame(builder, game):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(game), 0)
@@ -569,6 +619,21 @@ def SettingsAddEngine(builder, engine):
 
 def SettingsAddAccuracy(builder, accuracy):
     builder.PrependUOffsetTRelativeSlot(2, flatbuffers.number_types.UOffsetTFlags.py_type(accuracy), 0)
+
+def SettingsAddCutAnyway(builder, cutAnyway):
+    builder.PrependBoolSlot(3, cutAnyway, 0)
+
+def SettingsAddOnly(builder, only):
+    builder.PrependUOffsetTRelativeSlot(4, flatbuffers.number_types.UOffsetTFlags.py_type(only), 0)
+
+def SettingsStartOnlyVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def SettingsAddSkip(builder, skip):
+    builder.PrependUOffsetTRelativeSlot(5, flatbuffers.number_types.UOffsetTFlags.py_type(skip), 0)
+
+def SettingsStartSkipVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
 
 def SettingsEnd(builder):
     return builder.EndObject()
@@ -5332,7 +5397,8 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
-    # 1 where play can create more things that carry it.
+    # 1 where there can be more calls than is known: play can create more things that carry it, it gets messages from a
+    # script that sends them to a COG which is not known.
     # Hotspots
     def More(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -5360,7 +5426,8 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
-    # Of what lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing bounds it.
+    # At most, of what is known and lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing
+    # bounds it.
     # Hotspots
     def CallsPerSecond(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -8138,6 +8205,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
+    # The surface whose edge it is, or -1 for a thing's.
     # Ledges
     def Surface(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -8165,7 +8233,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
         return o == 0
 
-    # The edge goes from this corner of the surface to the following one.
+    # The edge goes from this corner of the surface, or of the thing's face, to the following one.
     # Ledges
     def Corner(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -8653,8 +8721,196 @@ class Ledges(object):
             return obj
         return None
 
+    # For the edge of a thing: its source index, where it is (-1 as it is placed, else its frame) and the face of its
+    # model at rest; -1 for a surface's.
+    # Ledges
+    def Carrier(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Ledges
+    def CarrierAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Ledges
+    def CarrierLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Ledges
+    def CarrierIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        return o == 0
+
+    # Ledges
+    def CarrierFrame(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Ledges
+    def CarrierFrameAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Ledges
+    def CarrierFrameLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Ledges
+    def CarrierFrameIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        return o == 0
+
+    # Ledges
+    def CarrierFace(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Ledges
+    def CarrierFaceAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Ledges
+    def CarrierFaceLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Ledges
+    def CarrierFaceIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        return o == 0
+
+    # Source index of the thing come onto, or that blocks, and the face of its model at rest; -1 for none.
+    # Ledges
+    def Onto(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Ledges
+    def OntoAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Ledges
+    def OntoLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Ledges
+    def OntoIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        return o == 0
+
+    # Ledges
+    def OntoFace(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Ledges
+    def OntoFaceAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Ledges
+    def OntoFaceLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Ledges
+    def OntoFaceIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        return o == 0
+
+    # Ledges
+    def CarrierPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(98))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def CarrierFramePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(100))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def CarrierFacePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(102))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def OntoPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(104))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def OntoFacePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(106))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def LedgesStart(builder):
-    builder.StartObject(42)
+    builder.StartObject(52)
 
 def LedgesAddBodyMovesize(builder, bodyMovesize):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(bodyMovesize), 0)
@@ -8844,6 +9100,51 @@ def LedgesAddDropEndPacked(builder, dropEndPacked):
 
 def LedgesAddTraitsPacked(builder, traitsPacked):
     builder.PrependUOffsetTRelativeSlot(41, flatbuffers.number_types.UOffsetTFlags.py_type(traitsPacked), 0)
+
+def LedgesAddCarrier(builder, carrier):
+    builder.PrependUOffsetTRelativeSlot(42, flatbuffers.number_types.UOffsetTFlags.py_type(carrier), 0)
+
+def LedgesStartCarrierVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LedgesAddCarrierFrame(builder, carrierFrame):
+    builder.PrependUOffsetTRelativeSlot(43, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFrame), 0)
+
+def LedgesStartCarrierFrameVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LedgesAddCarrierFace(builder, carrierFace):
+    builder.PrependUOffsetTRelativeSlot(44, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFace), 0)
+
+def LedgesStartCarrierFaceVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LedgesAddOnto(builder, onto):
+    builder.PrependUOffsetTRelativeSlot(45, flatbuffers.number_types.UOffsetTFlags.py_type(onto), 0)
+
+def LedgesStartOntoVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LedgesAddOntoFace(builder, ontoFace):
+    builder.PrependUOffsetTRelativeSlot(46, flatbuffers.number_types.UOffsetTFlags.py_type(ontoFace), 0)
+
+def LedgesStartOntoFaceVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LedgesAddCarrierPacked(builder, carrierPacked):
+    builder.PrependUOffsetTRelativeSlot(47, flatbuffers.number_types.UOffsetTFlags.py_type(carrierPacked), 0)
+
+def LedgesAddCarrierFramePacked(builder, carrierFramePacked):
+    builder.PrependUOffsetTRelativeSlot(48, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFramePacked), 0)
+
+def LedgesAddCarrierFacePacked(builder, carrierFacePacked):
+    builder.PrependUOffsetTRelativeSlot(49, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFacePacked), 0)
+
+def LedgesAddOntoPacked(builder, ontoPacked):
+    builder.PrependUOffsetTRelativeSlot(50, flatbuffers.number_types.UOffsetTFlags.py_type(ontoPacked), 0)
+
+def LedgesAddOntoFacePacked(builder, ontoFacePacked):
+    builder.PrependUOffsetTRelativeSlot(51, flatbuffers.number_types.UOffsetTFlags.py_type(ontoFacePacked), 0)
 
 def LedgesEnd(builder):
     return builder.EndObject()

@@ -18,8 +18,9 @@ from jktools.compiler.checksum import is_intact
 from jktools.compiler.columns import OMISSION, SECTIONS, TEXT, Column, camel_case
 from jktools.compiler.errors import CompiledFileError
 from jktools.compiler.packing import INDICES, VECTORS, Stored, absent
+from jktools.compiler.queries import Basin, Ledge, basins_of, ledges_at, plan_of
 from jktools.compiler.ranges import columns_fault, first_fault, text_fault
-from jktools.geometry import expanded, unpacked
+from jktools.geometry import SectorMesh, expanded, unpacked
 
 FORMAT_MAJOR, FORMAT_MINOR = 1, 2
 """Version of the format that this code writes; it reads every file of the same major version."""
@@ -29,6 +30,12 @@ _SMALLEST = 8
 
 TEXT_SINCE = 2
 """Minor version that brought the strings as one vector."""
+
+WORLD = (
+    "version", "gravity", "ceiling_sky_z", "horizon_distance", "horizon_pixels_per_rev", "horizon_sky_offset",
+    "ceiling_sky_offset", "mipmap_distances", "lod_distances", "perspective_distance", "gouraud_distance",
+)  # fmt: skip
+"""Fields of the table World."""
 
 ALWAYS = ("resources", "geometry")
 """Sections that every level has."""
@@ -180,14 +187,15 @@ class CompiledLevel:
 
     def _columns(self, table: Any, columns: Mapping[str, Column]) -> dict[str, Stored]:
         minor = self._root.FormatMinor()
+        stored = {
+            name: _stored(table, name, column)
+            for name, column in columns.items()
+            if column.since <= minor and (column.until is None or minor <= column.until)
+        }
         found: dict[str, Stored] = {}
-        for name, column in columns.items():
-            if column.since <= minor and (column.until is None or minor <= column.until):
-                stored = _stored(table, name, column)
-                if stored is None:
-                    leader = found.get(column.rows_of) if column.rows_of else None
-                    stored = absent(column, 0 if leader is None else len(leader))
-                found[name] = stored
+        for name, form in stored.items():
+            leader = stored.get(columns[name].rows_of or "")
+            found[name] = absent(columns[name], 0 if leader is None else len(leader)) if form is None else form
         return found
 
     def _text(self, data: bytes) -> str:
@@ -223,6 +231,55 @@ class CompiledLevel:
             raise CompiledFileError(f"cannot read {self.path}: the file is damaged; build it again") from error
         return unpacked(matrix)
 
+    @cached_property
+    def mesh(self) -> SectorMesh:
+        """The sectors as a mesh over the file's own vertices: sight, drop and location, without the level's source.
+
+        At `balanced` and `exact` the file holds the vertices as read, and its mesh answers as the level's own does; a
+        file of `fast` answers about vertices on its grid.
+        """
+        return SectorMesh.from_plan(plan_of(self.geometry))
+
+    def ledges_at(self, body: int, surface: int, corner: int, place: float | None = None) -> list[Ledge]:
+        """What a body meets beyond the edge that goes from a corner of a floor to the next one, along the edge.
+
+        With `place`, 0 .. 1 along the edge, the first that holds it. An edge, or a part of one, without a ledge goes
+        on level. Raises IndexError for a body that the file does not have.
+        """
+        if self.ledges is None:
+            raise IndexError(f"body {body} does not exist: there are 0")
+        found = list(ledges_at(self.ledges, body, surface, corner))
+        return found if place is None else [each for each in found if each.start <= place <= each.end][:1]
+
+    def basins_of(self, body: int) -> list[Basin]:
+        """Where a body can fall in and every way out goes up; none for a body that the file does not have."""
+        return [] if self.basins is None else list(basins_of(self.basins, body))
+
+    @property
+    def vertex_step(self) -> float:
+        """Of the grid that the vertices are on, JKU; 0 where they are float32 as read."""
+        return self.geometry.stored["vertices"].step
+
+    @property
+    def text_bytes(self) -> int:
+        """What the strings take in the file."""
+        if self._text_columns is None:
+            return sum(len(self._root.Strings(i)) + 9 for i in range(self._root.StringsLength()))
+        return Section(self._text_columns, TEXT).nbytes
+
+    @property
+    def world(self) -> dict[str, Any]:
+        """The header lines of the level, by their names in the schema."""
+        world = self._root.World()
+        if world is None:
+            return {}
+        found: dict[str, Any] = {}
+        for name in WORLD:
+            vector = getattr(world, f"{camel_case(name)}AsNumpy", None)
+            value = getattr(world, camel_case(name))() if vector is None else vector()
+            found[name] = [] if vector is not None and isinstance(value, int) else value
+        return {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in found.items()}
+
     @property
     def format(self) -> str:
         """Version of the file format, `major.minor`."""
@@ -253,6 +310,23 @@ class CompiledLevel:
             "engine": self._text(settings.Engine()),
             "accuracy": self._text(settings.Accuracy()),
         }
+
+    @property
+    def cut_anyway(self) -> bool:
+        """Whether it leaves out templates and names that nothing is known to reach."""
+        return bool(self._root.Settings().CutAnyway())
+
+    @property
+    def only(self) -> list[str]:
+        """The passes that alone were asked for; none for all, and for files before 1.2, which do not tell."""
+        settings = self._root.Settings()
+        return [self._text(settings.Only(i)) for i in range(settings.OnlyLength())]
+
+    @property
+    def skip(self) -> list[str]:
+        """The passes that were not to run; none for files before 1.2, which do not tell."""
+        settings = self._root.Settings()
+        return [self._text(settings.Skip(i)) for i in range(settings.SkipLength())]
 
     @property
     def counts(self) -> dict[str, int]:

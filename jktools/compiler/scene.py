@@ -20,7 +20,7 @@ VERDICTS = (Verdict.NEVER, Verdict.ALWAYS, Verdict.VARIES)
 UNKNOWN = -1
 
 
-def hotspots(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+def hotspots(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Columns | NotNeeded:
     """What tests of sight cost."""
     spots = facts.hotspots
     if not spots:
@@ -38,7 +38,7 @@ def hotspots(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns
         "most_sectors": np.array([spot.cost.most_sectors for spot in spots]),
         "most_surfaces": np.array([spot.cost.most_surfaces for spot in spots]),
         "pairs": np.array([spot.cost.pairs for spot in spots]),
-        "verdict": np.array([VERDICTS.index(spot.verdict) for spot in spots]),
+        "verdict": np.array([VERDICTS.index(spot.verdicts[Engine(settings.engine)]) for spot in spots]),
     }
 
 

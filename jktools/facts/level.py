@@ -16,6 +16,7 @@ from jktools.facts.hotspots import (
     Runner,
     Scene,
     SightWork,
+    Verdicts,
     class_scripts,
     game_runners,
     game_scripts,
@@ -28,10 +29,13 @@ from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
 from jktools.facts.occluders import Occluders
 from jktools.facts.openings import MOVEMENT, NOT_FOR_PLAYERS, VISIBLE, cleared_by_cogs, opened_by_cogs
-from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
+from jktools.facts.scene import Scene as SightScene
+from jktools.facts.scene import scene
 from jktools.facts.script import ScriptFacts, script_facts
+from jktools.facts.sightline import EndpointError
+from jktools.facts.still import Still
 from jktools.facts.travel import PLAYER, landings, passages, reached, rides
 from jktools.geometry import (
     Accuracy,
@@ -137,19 +141,14 @@ class LevelFacts:
 
     @cached_property
     def edges(self) -> EdgeWalker:
-        """The edges of the floors."""
-        return EdgeWalker(self.level)
-
-    @cached_property
-    def platforms(self) -> Platforms:
-        """The things that bodies can stand on, wherever they come to."""
-        return Platforms(self.level)
+        """The edges of the floors, and of the things that bodies stand on."""
+        return EdgeWalker(self.level, self.floors.solids())
 
     def ledges(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> Ledges:
         """What a body whose hover height is known meets beyond each edge of each floor."""
         key = (walker, engine, accuracy)
         if key not in self._ledges:
-            self._ledges[key] = ledges_of(self.level, self.edges, walker, self.platforms, engine, accuracy)
+            self._ledges[key] = ledges_of(self.level, self.edges, walker, self.floors, engine, accuracy)
         return self._ledges[key]
 
     @cached_property
@@ -164,7 +163,7 @@ class LevelFacts:
 
     def basins(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> tuple[Basin, ...]:
         """Where a body whose hover height is known comes down to, and what leads out."""
-        return basins_of(self.level, self.ledges(walker, engine, accuracy), self.platforms, self.touched)
+        return basins_of(self.level, self.ledges(walker, engine, accuracy), self.touched)
 
     @cached_property
     def overlaps(self) -> Overlaps:
@@ -311,8 +310,17 @@ class LevelFacts:
         """The calls of verbs of sight, the dearest first."""
         if not self._may_ask_for_sight:
             return []
+        still = Still(self.level, self.instances, self.running, self.reach)
+        verdicts = Verdicts((t for t in self.level.things if t.dropped is None), still, self._seen)
         work = SightWork(self.level, self.mesh, self.changeable_surfaces)
-        return Scene(self.level, self.running, work, self.reach.created).hotspots()
+        return Scene(self.level, self.running, work, verdicts, self.reach.created).hotspots()
+
+    def _seen(self, a: int, b: int, engine: Engine) -> SightScene | None:
+        """What is seen of one thing from another, by their numbers; None where one is not in the level."""
+        try:
+            return scene(self, str(a), str(b), engine)
+        except EndpointError:
+            return None
 
     @cached_property
     def _may_ask_for_sight(self) -> bool:

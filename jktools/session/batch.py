@@ -9,6 +9,7 @@ from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
+from typing import NamedTuple
 
 from jktools.compiler import CompileError, CompileSettings, PassError, compilation
 from jktools.diagnostics import Diagnostic, Label
@@ -162,12 +163,22 @@ def _identity(member: Member) -> str:
     return str(member.place.resolve()) if member.place else f"{Path(outer).resolve()}{separator}{inner}"
 
 
+class Written(NamedTuple):
+    """A compiled level that was written."""
+
+    level: str
+    target: Path
+    size: int
+    """Bytes."""
+    step: float
+    """Of the grid that its vertices were moved onto, JKU; 0 where they are as read."""
+
+
 @dataclass
 class Built:
     """What a build run wrote."""
 
-    written: list[tuple[str, Path, int]] = field(default_factory=list)
-    """Level, file and its size in bytes."""
+    written: list[Written] = field(default_factory=list)
     skipped: list[str] = field(default_factory=list)
     """Files that are no levels, one sentence each."""
     refused: list[str] = field(default_factory=list)
@@ -237,7 +248,7 @@ def _build_one(
             raise InputError(f"cannot write {target}: {fault}")
         compiled = compilation(level, compiling, progress=at_pass)
         write_atomically(target, compiled.data)
-        built.written.append((member.path, target, len(compiled.data)))
+        built.written.append(Written(member.path, target, len(compiled.data), compiled.step))
         built.bugs += compiled.failures
     except InputError as error:
         built.problems.append(str(error))

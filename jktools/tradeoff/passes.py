@@ -187,8 +187,8 @@ def _known_bodies(scene: Scene) -> list[Walker]:
 
 def _begin_ledges(scene: Scene) -> Run:
     facts, engine = scene.facts, scene.asked.engine
-    known, edges, platforms = _known_bodies(scene), facts.edges, facts.platforms
-    return lambda: [ledges_of(scene.level, edges, b, platforms, engine, scene.tier, ONE_THREAD) for b in known]
+    known, edges, floors = _known_bodies(scene), facts.edges, facts.floors
+    return lambda: [ledges_of(scene.level, edges, b, floors, engine, scene.tier, ONE_THREAD) for b in known]
 
 
 def _finish_ledges(scene: Scene, answer: Sequence[Ledges]) -> Result:

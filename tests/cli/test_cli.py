@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -123,12 +124,32 @@ def test_build_and_inspect(here: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert "skipped, it has no GEORESOURCE" in shown.err
     assert main(["inspect", "out/rooms.jklb", "--json", "--verify"]) == 0
     report = json.loads(capsys.readouterr().out)
-    assert set(report) == {"format", "level", "settings", "sections", "counts", "passes", "omissions"}
+    jsonschema.validate(report, json.loads((ROOT / "docs/inspect.schema.json").read_text()))
+    assert report["grid"] is None
+    sizes = [section["bytes"] for section in report["sections"].values()]
+    assert (
+        sum(sizes) + sum(report["rest"].values())
+        == report["level"]["bytes"]
+        == (here / "out/rooms.jklb").stat().st_size
+    )
     assert report["counts"]["vertices"] == 12
     assert report["level"]["inputs"][0]["path"] == "jkl/Rooms.jkl"
     assert [p.name for p in (here / "out").iterdir()] == ["rooms.jklb"]
     compiled = jktools.open_compiled("out/rooms.jklb", verify=True)
     assert compiled.vertices.shape == (12, 3)
+
+
+def test_the_step_of_the_grid_is_printed(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["build", "rooms.jkl", "-o", "out", "--accuracy", "fast"]) == 0
+    assert "bytes, vertices in steps of 1/16384 JKU)" in capsys.readouterr().out
+    assert main(["inspect", "out/rooms.jklb", "--columns"]) == 0
+    shown = capsys.readouterr().out
+    assert "  vertices: in steps of 1/16384 JKU, moved by at most 1/32768 on each axis\n" in shown
+    assert re.search(r"      vertices +72  int16 steps of 1/16384: 12\n", shown)
+    assert main(["inspect", "out/rooms.jklb", "--json"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    jsonschema.validate(report, json.loads((ROOT / "docs/inspect.schema.json").read_text()))
+    assert report["grid"] == {"step": 1 / 16384, "moved_at_most": 1 / 32768}
 
 
 def test_clashing_names_go_into_a_folder_a_pack(here: Path) -> None:

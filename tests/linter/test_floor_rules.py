@@ -48,7 +48,7 @@ def test_sector_flags_that_let_out(flags: str, way: Way) -> None:
 
 
 def test_a_lift_in_the_pit_may_help() -> None:
-    lift = "2: lift crate .5 1.5 -.5 0 0 0 1 thingflags=0x40 size=.3"
+    lift = "2: lift crate .5 1.5 -.5 0 0 0 1 type=cog collide=3 thingflags=0x40 size=.3"
     assert left(pit("World things 3", lift)) & Way.MOVER
 
 

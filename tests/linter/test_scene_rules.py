@@ -108,6 +108,13 @@ def test_who_static_drag_does_not_hold(line: str) -> None:
     assert said("JK721", line) == []
 
 
+@pytest.mark.parametrize(("instincts", "told"), [("", 0), ("follow 1 2 3\n", 1)])
+def test_an_ai_without_instincts_moves_nobody(instincts: str, told: int) -> None:
+    ai = ["== misc/ai/a.ai", "maxstep=0.5", *instincts.split("\n")]
+    with level_with_files("World templates 4", STUCK, *ai) as level:
+        assert len(lint(level, [find_rule("JK721")])) == told
+
+
 def test_static_drag_names_both_sides() -> None:
     assert said("JK721", STUCK) == [
         "template 3 (guard) is pushed by its AI by up to 0.08 JKU/s in a frame of 0.02 s (maxthrust x 2 / 50), but its "
@@ -239,8 +246,8 @@ def colour(arguments: str) -> list[Diagnostic]:
     ("0, 0, 0, 0, 0, 0, 0, 0, 0, 0.1", None),
     ("0, 0, 0, 0, 0, 0, -255, -255, -255, 1.0", "white by the research document, black by the decompiled engine in "
      "software, not by the decompiled engine in hardware"),
-    ("0, 0, 0, 0, 0, 0, 247, 247, 247, 1.0", "white by the decompiled engine in hardware and the decompiled engine in "
-     "software, not by the research document"),
+    ("0, 0, 0, 0, 0, 0, 247, 247, 247, 1.0", "white by the decompiled engine, not by the research document"),
+    ("0, 0, 0, 0, 0, 0, -1, -1, -1, 1.0", "white by the research document, not by the decompiled engine"),
 ])  # fmt: skip
 def test_effects_that_hide_everything(arguments: str, turns: str | None) -> None:
     found = [d.message for d in colour(arguments)]

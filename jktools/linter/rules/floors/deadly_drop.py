@@ -63,7 +63,7 @@ def deadly_drop(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         deadly = ledges.walker.deadly_drop()
         flags = np.append(level.document.surfaces.flags, 0)[ledges.below]
         hard = (flags & SurfaceFlag.NO_FALL_DAMAGE) == 0
-        kills = (ledges.kind == Kind.FALL) & hard & (ledges.deepest >= deadly)
+        kills = ledges.of_level & (ledges.kind == Kind.FALL) & hard & (ledges.deepest >= deadly)
         for index in sorted(set(ledges.surface[kills].tolist())):
             rows = np.flatnonzero(kills & (ledges.surface == index))
             surface = level.surfaces[index]

@@ -62,7 +62,7 @@ def inescapable_basin(level: Level, facts: LevelFacts) -> Iterator[Finding]:
                 continue
             first = level.surfaces[basin.surfaces[0]]
             more = f" and {len(basin.surfaces) - 1} more floors" if len(basin.surfaces) > 1 else ""
-            rims = dict.fromkeys(int(ledges.surface[row]) for row in basin.rows)
+            rims = dict.fromkeys(int(ledges.surface[row]) for row in basin.rows if ledges.of_level[row])
             yield Finding(
                 Label(first.head_span),
                 f"{first.title}{more} lies {basin.shallowest:.4g} to {basin.deepest:.4g} JKU below the floors that "

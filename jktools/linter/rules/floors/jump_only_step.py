@@ -62,7 +62,8 @@ def jump_only_step(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """
     for ledges in facts.player_ledges:
         even = np.abs(ledges.drop_start - ledges.drop_end) <= EVEN
-        rises = (ledges.kind == Kind.JUMP) & even & (ledges.deepest < 0) & (ledges.length >= WIDTH)
+        between = ledges.of_level & (ledges.below >= 0)
+        rises = between & (ledges.kind == Kind.JUMP) & even & (ledges.deepest < 0) & (ledges.length >= WIDTH)
         hover = ledges.walker.hover(ledges.engine)
         for row in np.flatnonzero(rises).tolist():
             surface = level.surfaces[int(ledges.surface[row])]

@@ -65,7 +65,7 @@ def ledge_near_changeover(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """
     for ledges in facts.player_ledges:
         even = np.abs(ledges.drop_start - ledges.drop_end) <= EVEN
-        taken = even & np.isin(ledges.kind, (Kind.SEAMLESS, Kind.FALL))
+        taken = even & ledges.of_level & (ledges.below >= 0) & np.isin(ledges.kind, (Kind.SEAMLESS, Kind.FALL))
         limits = {each: ledges.walker.reattach(each) for each in Engine}
         near = np.any([np.abs(ledges.deepest - limit) <= NEAR * limit for limit in limits.values()], axis=0)
         for row in np.flatnonzero(taken & near).tolist():
