@@ -86,16 +86,17 @@ def test_depth_counts_where_falls_end_alike() -> None:
 def test_missed_and_false_pairs_and_segments_that_prove_it() -> None:
     def viewed(rows: list[list[int]], refuted: int = 0) -> Viewed:
         bits = np.packbits(np.array(rows, np.uint8), axis=1, bitorder="little")
-        return Viewed(VisibleSectors(bits, 4, 0), 10, refuted)
+        return Viewed(VisibleSectors(bits, 4, 0), 10, refuted, np.eye(3, dtype=np.bool_))
 
     exact = viewed([[1, 1, 0], [1, 1, 1], [0, 1, 1]])
     found = viewed([[1, 1, 1], [1, 1, 0], [1, 1, 1]], 3)
     error = errors.visibility_error(found, exact)
     assert error.measures == {
-        "pairs": 7, "missed": 1, "false": 2, "segments": 10, "refuted": 3, "cut_short": 0, "cut_short_exact": 0,
+        "pairs": 7, "missed": 1, "false": 2, "missed_in_file": 4, "segments": 10, "refuted": 3, "cut_short": 0,
+        "cut_short_exact": 0,
     }  # fmt: skip
     assert error.worst == 3 / 7
-    assert error.text == "3 segments see a pair denied, 1 pairs missed, 2 false pairs beside 7"
+    assert error.text == "3 segments see a pair denied, 1 pairs missed, 2 false pairs beside 7, 4 missed in the file"
 
 
 def walked(*rows: tuple[int, float, float, Kind, float, float], lengths: tuple[float, ...] = (2.0, 1.0)) -> Walked:
