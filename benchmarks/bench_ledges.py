@@ -27,7 +27,7 @@ def main() -> None:
         if not any(body.hovers for body in players):
             print(f"{name[-31:]:32}no player whose hover height is known")
             continue
-        _ = facts.edges, facts.platforms, facts.touched
+        _ = facts.edges, facts.floors, facts.touched
         began = time.perf_counter()
         (found, *_more) = facts.player_ledges
         basins = facts.basins(found.walker)

@@ -8,7 +8,6 @@ the edge. The exit status is 1 if `balanced` differs in such a piece.
 from __future__ import annotations
 
 import argparse
-import itertools
 import sys
 import time
 from collections.abc import Iterator
@@ -17,35 +16,29 @@ import numpy as np
 
 from benchmarks.ledge_disagreement import GAIT
 from benchmarks.sight_queries import levels
+from jktools.facts.floors import Floors
 from jktools.facts.ledges import SAMPLES
-from jktools.geometry.exact_ledges import ExactLedges
 from jktools.geometry.ledges import BEYOND, Beyond, EdgeWalker
+from jktools.tradeoff.overlay import Intervals, overlay
 
 SAME_DROP = 1e-9
 
 
 def differing(edges: EdgeWalker, found: Beyond, exact: Beyond) -> Iterator[float]:
     """The lengths, JKU, of the pieces of edges on which two answers differ."""
-    here, there = edges.ends(np.arange(len(edges.surface)))
-    length = np.linalg.norm((there - here)[:, :2], axis=1)
-    first = [np.searchsorted(each.edge, np.arange(len(length) + 1)) for each in (found, exact)]
-    for edge in range(len(length)):
-        rows = [slice(int(f[edge]), int(f[edge + 1])) for f in first]
-        cuts = np.unique(np.concatenate([found.end[rows[0]], exact.end[rows[1]], [0.0]]))
-        for start, end in itertools.pairwise(cuts):
-            middle = (start + end) / 2
-            a, b = (
-                _at(each, row.start + int(np.searchsorted(each.end[row], middle)), middle)
-                for each, row in zip((found, exact), rows, strict=True)
-            )
-            if a[0] != b[0] or abs(a[1] - b[1]) > SAME_DROP:
-                yield float((end - start) * length[edge])
+    length = np.linalg.norm((edges.there - edges.here)[:, :2], axis=1)
+    pieces = overlay(*(Intervals(each.edge, each.start, each.end) for each in (found, exact)))
+    one, other = (_at(each, rows, pieces.middle) for each, rows in ((found, pieces.one), (exact, pieces.other)))
+    differs = np.any([a != b for a, b in zip(one[:-1], other[:-1], strict=True)], axis=0)
+    differs |= np.abs(one[-1] - other[-1]) > SAME_DROP
+    yield from ((pieces.end - pieces.start) * length[pieces.edge])[differs].tolist()
 
 
-def _at(found: Beyond, row: int, t: float) -> tuple[tuple[int, ...], float]:
-    part = (t - found.start[row]) / (found.end[row] - found.start[row])
-    drop = float(found.drop_start[row] * (1 - part) + found.drop_end[row] * part)
-    return (int(found.over[row]), int(found.met[row]), int(found.rise[row])), 0.0 if np.isnan(drop) else drop
+def _at(found: Beyond, row: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, ...]:
+    """What is met at places of edges, and how deep."""
+    part = (place - found.start[row]) / (found.end[row] - found.start[row])
+    drop = found.drop_start[row] * (1 - part) + found.drop_end[row] * part
+    return found.over[row], found.met[row], found.face[row], found.rise[row], np.nan_to_num(drop, nan=0.0)
 
 
 def main() -> int:
@@ -55,22 +48,21 @@ def main() -> int:
     arguments = parser.parse_args()
     failed = False
     for name, level in levels():
-        edges = EdgeWalker(level)
-        if len(edges.surface) > arguments.edges:
+        floors = Floors.of(level)
+        edges = EdgeWalker(level, floors.solids())
+        placed = next(iter(floors.scenes())).present
+        rows = edges.edges_of(placed)
+        if len(rows) > arguments.edges:
             continue
         seconds, found = [], []
-        for ask in (
-            lambda edges=edges: edges.beyond(GAIT, samples=SAMPLES),
-            lambda edges=edges: edges.beyond(GAIT),
-            lambda edges=edges, level=level: ExactLedges(level, edges).beyond(GAIT),
-        ):
+        for tier in ({"samples": SAMPLES}, {}, {"exact": True}):
             began = time.perf_counter()
-            found.append(ask())
+            found.append(edges.beyond(GAIT, edges=rows, present=placed, **tier))  # type: ignore[arg-type]
             seconds.append(time.perf_counter() - began)
         wrong = [list(differing(edges, each, found[2])) for each in found[:2]]
         long = [sum(piece for piece in each if piece > BEYOND) for each in wrong]
         failed |= long[1] > 0
-        here, there = edges.ends(np.arange(len(edges.surface)))
+        here, there = edges.ends(rows)
         whole = float(np.linalg.norm(there - here, axis=1).sum())
         print(
             f"{name:40} {whole:9.1f} JKU of edges; s {seconds[0]:.3f} {seconds[1]:.3f} {seconds[2]:.2f}; rows "

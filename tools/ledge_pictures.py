@@ -99,7 +99,8 @@ def main() -> None:
     found = []
     for name, level in levels():
         for ledges in LevelFacts(level).player_ledges:
-            wanted = (ledges.kind == Kind[arguments.kind.upper()]) & (ledges.length >= SHORTEST) & ~ledges.narrow
+            wanted = ledges.of_level & (ledges.kind == Kind[arguments.kind.upper()])
+            wanted &= (ledges.length >= SHORTEST) & ~ledges.narrow
             found += [(name, level, ledges, row) for row in np.flatnonzero(wanted).tolist()]
     chosen = np.unique(np.linspace(0, len(found) - 1, min(arguments.most, len(found))).astype(int))
     for number, at in enumerate(chosen.tolist()):

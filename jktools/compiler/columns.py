@@ -312,7 +312,7 @@ LEDGES: Mapping[str, Column] = MappingProxyType(
         **_rows(
             "surface",
             {
-                "surface": Column("i4", index_of=_SURFACES),
+                "surface": Column("i4", index_of=_SURFACES, or_none=True),
                 "corner": Column("u1"),
                 "start": Column("f4"),
                 "end": Column("f4"),
@@ -323,6 +323,11 @@ LEDGES: Mapping[str, Column] = MappingProxyType(
                 "drop_start": Column("f4"),
                 "drop_end": Column("f4"),
                 "traits": Column("u1", group="class"),
+                "carrier": Column("i4", or_none=True, since=2, group="carrier"),
+                "carrier_frame": Column("i4", or_none=True, since=2, group="carrier"),
+                "carrier_face": Column("i4", or_none=True, since=2, group="carrier"),
+                "onto": Column("i4", or_none=True, since=2, group="onto"),
+                "onto_face": Column("i4", or_none=True, since=2, group="onto"),
             },
         ),
     }

@@ -33,9 +33,11 @@ _VECTOR = 8
 _WORTH = 0.75
 """A pool is kept when it has at most this share of the bytes: it costs every reader one more step."""
 _MOST_POOLED = 1 << 16
+_SHORT = 8
+"""A run of at most so many numbers is written out."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True, eq=False)
 class Stored:
     """A column as it lies in the file."""
 
@@ -110,7 +112,7 @@ def pack(values: Array, column: Column) -> Stored | None:
         return None
     if column.rows_of is not None and column.cuts is None and _is_one_row(values, absent(column, 1).array(column)):
         return None
-    return _smallest(values, column)
+    return smallest(Stored(values), column)
 
 
 def pack_group(values: Mapping[str, Array], columns: Mapping[str, Column]) -> dict[str, Stored | None]:
@@ -125,8 +127,7 @@ def pack_group(values: Mapping[str, Array], columns: Mapping[str, Column]) -> di
         return alone
     first, index = found
     together: dict[str, Stored | None] = {
-        name: replace(_narrowed(part[first], columns[name]), index=index)
-        for name, part in zip(joined, shaped, strict=True)
+        name: Stored(_narrowed(part[first]), index) for name, part in zip(joined, shaped, strict=True)
     }
     # The index is written once, since equal vectors are.
     cost = _cost(together, columns) - (len(joined) - 1) * (index.nbytes + _VECTOR)
@@ -142,29 +143,32 @@ def _shaped(values: Array, column: Column) -> Array:
     return flat if column.width == 1 else flat.reshape(-1, column.width)
 
 
-def _smallest(values: Array, column: Column) -> Stored:
-    forms = [Stored(values), _narrowed(values, column)]
+def smallest(plain: Stored, column: Column) -> Stored:
+    """The smallest form of rows that stand for themselves; a grid that they count on stays."""
+    values = plain.values
+    assert values is not None
+    narrow = replace(plain, values=_narrowed(values))
     if _is_one_row(values, values[:1]):
-        forms.append(replace(_narrowed(values[:1], column), count=len(values)))
-    elif _is_run(values, column):
-        forms.append(Stored(None, count=len(values), first=int(values[0])))
-    best = min(forms, key=lambda form: form.cost(column))
-    found = None if best.count else _pool(_octets(values))
+        forms = [plain, narrow, replace(narrow, values=_narrowed(values[:1]), count=len(values))]
+        return min(forms, key=lambda form: form.cost(column))
+    if _is_run(values, column):
+        return Stored(None, count=len(values), first=int(values[0]))
+    best = min((plain, narrow), key=lambda form: form.cost(column))
+    found = _pool(_octets(values))
     if found is None:
         return best
     first, index = found
-    pooled = replace(_narrowed(values[first], column), index=index)
+    pooled = replace(plain, values=_narrowed(values[first]), index=index)
     return pooled if pooled.cost(column) <= _WORTH * best.cost(column) else best
 
 
-def _narrowed(values: Array, column: Column) -> Stored:
-    if column.type not in _NARROW or not values.size:
-        return Stored(values)
+def _narrowed(values: Array) -> Array:
+    """Whole numbers in the fewest bytes that hold them; others as they are."""
+    if values.dtype.kind not in "iu" or not values.size:
+        return values
     least, most = int(values.min()), int(values.max())
     kind = next(k for k in _NARROW if np.iinfo(k).min <= least and most <= np.iinfo(k).max)
-    if np.dtype(kind).itemsize >= np.dtype(column.type).itemsize:
-        return Stored(values)
-    return Stored(values.astype(f"<{kind}"))
+    return values.astype(f"<{kind}") if np.dtype(kind).itemsize < values.itemsize else values
 
 
 def _is_one_row(values: Array, row: Array) -> bool:
@@ -172,7 +176,12 @@ def _is_one_row(values: Array, row: Array) -> bool:
 
 
 def _is_run(values: Array, column: Column) -> bool:
-    return column.type in _NARROW and column.width == 1 and bool((np.diff(values.astype(np.int64)) == 1).all())
+    return (
+        len(values) > _SHORT
+        and column.type in _NARROW
+        and column.width == 1
+        and bool((np.diff(values.astype(np.int64)) == 1).all())
+    )
 
 
 def _octets(rows: Array) -> Array:

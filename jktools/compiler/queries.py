@@ -56,7 +56,7 @@ class Basin(NamedTuple):
 
 def plan_of(geometry: Columns) -> Plan:
     """The geometry of a compiled level. What the range check let through is sound but for what numbers alone can be."""
-    finite: Array = np.asarray(np.isfinite(geometry.vertices).all(axis=1))
+    finite: Array = np.logical_and.reduce(np.isfinite(geometry.vertices), axis=1)
     start = geometry.surface_corner_start.astype(np.int32)
     sound_surfaces = (np.diff(start) <= MOST_CORNERS) & ~_any(~finite[geometry.corner_vertex], start[:-1], start[1:])
     first, count = geometry.sector_first_surface, geometry.sector_surface_count

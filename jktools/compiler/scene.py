@@ -12,15 +12,17 @@ from jktools.facts import LevelFacts
 from jktools.facts.colour_effects import constant_effects, palettes, shown
 from jktools.facts.hotspots import Runner, Verdict
 from jktools.facts.lights import still_lights
-from jktools.facts.motion import bodies, gravity_of, motions
+from jktools.facts.motion import Interval, bodies, gravity_of, motions
 from jktools.facts.particles import clouds
 
 VERDICTS = (Verdict.NEVER, Verdict.ALWAYS, Verdict.VARIES)
 """In the order of the schema."""
 UNKNOWN = -1
+STOPS = ("stop_walk", "stop_run")
+"""Columns of both ends of an interval; of a jump the file holds the least."""
 
 
-def hotspots(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+def hotspots(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Columns | NotNeeded:
     """What tests of sight cost."""
     spots = facts.hotspots
     if not spots:
@@ -38,7 +40,7 @@ def hotspots(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns
         "most_sectors": np.array([spot.cost.most_sectors for spot in spots]),
         "most_surfaces": np.array([spot.cost.most_surfaces for spot in spots]),
         "pairs": np.array([spot.cost.pairs for spot in spots]),
-        "verdict": np.array([VERDICTS.index(spot.verdict) for spot in spots]),
+        "verdict": np.array([VERDICTS.index(spot.verdicts[Engine(settings.engine)]) for spot in spots]),
     }
 
 
@@ -110,7 +112,10 @@ def motion(facts: LevelFacts, _: Strings, settings: CompileSettings) -> Columns 
     )  # fmt: skip
     columns = {"template": np.array([each.template.owner.index for each in found])}
     for key in found[0]._fields[1:]:
-        columns[key] = np.array([getattr(each, key) for each in found], np.float64)
+        values = [getattr(each, key) for each in found]
+        if isinstance(values[0], Interval) and key not in STOPS:
+            values = [value.least for value in values]
+        columns[key] = np.array(values, np.float64)
     return columns
 
 

@@ -11,6 +11,8 @@ import numpy.typing as npt
 
 from jktools.compiler.columns import RESOURCES
 from jktools.compiler.cut import Omission, choose, choose_names
+from jktools.compiler.grid import counted, grid_of
+from jktools.compiler.packing import Stored
 from jktools.compiler.settings import CompileSettings
 from jktools.facts import LevelFacts
 from jktools.geometry import compressed
@@ -20,7 +22,8 @@ from jktools.syntax.jkl import Parameters
 from jktools.syntax.template.parameters import MOVES, PARAMETERS, TYPES
 from jktools.syntax.template.values import ValueKind
 
-Columns = Mapping[str, npt.NDArray[Any]]
+Columns = Mapping[str, npt.NDArray[Any] | Stored]
+"""Columns by name; what is stored is written so, the rest in its smallest form."""
 Rows = npt.NDArray[np.intp]
 
 
@@ -72,9 +75,13 @@ def resources(facts: LevelFacts, strings: Strings, settings: CompileSettings) ->
     return Cut(columns, chosen.note, chosen.omissions)
 
 
-def geometry(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns:
-    """Vertices, adjoins, surfaces and sectors as written, with the references between them."""
-    level = facts.level
+def geometry(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Columns:
+    """Vertices, adjoins, surfaces and sectors, with the references between them; at `fast`, on grids."""
+    columns = _geometry(facts.level, strings)
+    return {**columns, **counted(columns, grid_of(facts.level))} if settings.accuracy == "fast" else columns
+
+
+def _geometry(level: Level, strings: Strings) -> dict[str, npt.NDArray[Any]]:
     adjoins, surfaces, sectors = level.document.adjoins, level.document.surfaces, level.document.sectors
     sounds = iter(strings.indices(sound for sound in sectors.sound if sound is not None))
     return {

@@ -89,7 +89,7 @@ def _rows(kept: Sequence[tuple[Ledges, npt.NDArray[np.intp]]]) -> dict[str, list
         name: []
         for name in (
             "surface", "corner", "start", "end", "kind", "other_kind", "below", "thing", "drop_start", "drop_end",
-            "traits",
+            "traits", "carrier", "carrier_frame", "carrier_face", "onto", "onto_face",
         )
     }  # fmt: skip
     for found, rows in kept:
@@ -98,6 +98,8 @@ def _rows(kept: Sequence[tuple[Ledges, npt.NDArray[np.intp]]]) -> dict[str, list
             "surface": found.surface, "corner": found.corner, "start": found.start, "end": found.end,
             "kind": found.kind, "other_kind": found.other, "below": found.below, "thing": found.thing,
             "drop_start": found.drop_start, "drop_end": found.drop_end, "traits": traits,
+            "carrier": found.carrier_thing, "carrier_frame": found.carrier_frame, "carrier_face": found.carrier_face,
+            "onto": found.onto, "onto_face": found.onto_face,
         }  # fmt: skip
         for name, values in whole.items():
             columns[name].append(values[rows])

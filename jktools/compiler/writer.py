@@ -16,17 +16,15 @@ from jktools.compiler.checksum import seal
 from jktools.compiler.columns import OMISSION, SECTIONS, TEXT, Column, camel_case
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
+from jktools.compiler.grid import grid_of, on_grid
 from jktools.compiler.packing import VECTORS, Stored, pack, pack_group
 from jktools.compiler.passes import Outcome, Progress, run
-from jktools.compiler.reader import FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
+from jktools.compiler.reader import ALIGNMENT, FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
 from jktools.compiler.sections import Columns, Strings, parameter_keys
 from jktools.compiler.settings import CompileSettings
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.model import Level
-
-ALIGNMENT = 8
-"""Bytes; every vector starts at a multiple, so that a mapped file can be viewed as arrays of any scalar."""
 
 FIRST_GUESS = 1 << 20
 """Bytes that the builder starts with; it grows by doubling."""
@@ -39,11 +37,17 @@ class Compilation:
     data: bytes
     failures: tuple[str, ...]
     """Bugs in jktools: a sentence for each pass that failed, whose section is absent."""
+    step: float = 0.0
+    """Of the grid that the vertices are on, JKU; 0 where they are as read."""
 
 
 def compile_level(level: Level, settings: CompileSettings | None = None) -> bytes:
     """Compile a level as `compilation` does, and give the file's bytes alone."""
     return compilation(level, settings).data
+
+
+WRITING = "write"
+"""What comes behind the passes: the file is put together and checked."""
 
 
 def compilation(
@@ -52,15 +56,20 @@ def compilation(
     facts: LevelFacts | None = None,
     progress: Progress = lambda _: None,
 ) -> Compilation:
-    """Compile a level.
+    """Compile a level. `progress` is told the name of each pass before it runs, and `WRITING` behind the last.
 
     Raises CompileError when the engine would refuse it or read beyond its lists, PassError when a pass fails and the
     settings do not say to keep going.
     """
     settings = settings or CompileSettings()
     _refuse_broken(level)
+    facts = facts or LevelFacts(level)
+    if settings.accuracy == "fast":
+        level = on_grid(level)
+        facts = LevelFacts(level, facts.vocabulary)
     strings = Strings(parameter_keys(level))
-    outcomes = run(facts or LevelFacts(level), strings, settings, progress)
+    outcomes = run(facts, strings, settings, progress)
+    progress(WRITING)
     data = _assemble(level, settings, strings, outcomes)
     try:
         CompiledLevel(data, level.path)
@@ -68,7 +77,8 @@ def compilation(
         raise CompileError(
             f"cannot compile {level.path}: {error.__cause__ or error}; `jktools lint` tells where"
         ) from error
-    return Compilation(data, tuple(o.note for o in outcomes.values() if o.failed))
+    grid = grid_of(level)
+    return Compilation(data, tuple(o.note for o in outcomes.values() if o.failed), grid.step if grid else 0.0)
 
 
 def _refuse_broken(level: Level) -> None:
@@ -101,7 +111,12 @@ def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcome
     offsets["settings"] = _table(
         builder, "Settings",
         game=builder.CreateString(level.game), engine=builder.CreateString(settings.engine),
-        accuracy=builder.CreateString(settings.accuracy),
+        accuracy=builder.CreateString(settings.accuracy), cut_anyway=settings.cut_anyway,
+        **{
+            name: _strings(builder, sorted(passes))
+            for name, passes in (("only", settings.only), ("skip", settings.skip))
+            if passes
+        },
     )  # fmt: skip
     offsets["inputs"] = _inputs(file, level)
     offsets["checksum"] = file.vector(np.zeros(hashlib.sha256().digest_size, np.uint8), shared=False)
@@ -137,10 +152,15 @@ class _File:
         for name, column in columns.items():
             if column.until is not None or name in stored:
                 continue
-            if column.group is None:
-                stored[name] = pack(values[name], column)
+            given = values[name]
+            if isinstance(given, Stored):
+                stored[name] = given
+            elif column.group is None:
+                stored[name] = pack(given, column)
             else:
-                stored |= pack_group(values, {key: c for key, c in columns.items() if c.group == column.group})
+                group = {key: each for key, each in columns.items() if each.group == column.group}
+                arrays = {key: each for key in group if not isinstance(each := values[key], Stored)}
+                stored |= pack_group(arrays, group)
         offsets = {}
         for name, form in stored.items():
             if form is not None and form.is_plain(columns[name]):
@@ -175,6 +195,10 @@ def _offsets(builder: flatbuffers.Builder, offsets: Sequence[int]) -> int:
     for offset in reversed(offsets):
         builder.PrependUOffsetTRelative(offset)
     return int(builder.EndVector())
+
+
+def _strings(builder: flatbuffers.Builder, texts: Sequence[str]) -> int:
+    return _offsets(builder, [builder.CreateString(text) for text in texts])
 
 
 def _text(file: _File, texts: Sequence[str]) -> dict[str, int]:

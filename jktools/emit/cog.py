@@ -75,7 +75,7 @@ def _cost_lines(costs: Sequence[CostSummary]) -> Iterator[str]:
 def _work(cost: CostSummary) -> str:
     if not cost.pairs:
         return "its cost is not known"
-    known = "" if cost.verdict == "varies" else f"; {'always' if cost.verdict == 'always' else 'never'} succeeds"
+    known = "" if cost.finds is None else f"; {cost.finds}"
     return (
         f"{cost.mean_surfaces:.6g} surfaces in {cost.mean_sectors:.6g} sectors on the mean, {cost.most_surfaces} in "
         f"{cost.most_sectors} at most{known}"
@@ -169,4 +169,5 @@ def _verb(verb: VerbSummary) -> str:
 
 def _often(run: RunSummary) -> str:
     count = "any number of times" if run.per_run is None else f"{run.per_run:.6g}"
-    return f"{count} a run of {run.label}"
+    asleep = f" and {run.per_second:.6g} a second" if run.per_second else ""
+    return f"{count} a run of {run.label}{asleep}"

@@ -15,16 +15,18 @@ import numpy.typing as npt
 
 from jktools.engine.flags import SectorFlag, SurfaceFlag
 from jktools.facts.cog.instance import InstanceFacts
-from jktools.facts.ledges import Kind, Ledges
-from jktools.facts.platforms import Platforms
+from jktools.facts.floors import PLACED, Floors
+from jktools.facts.ledges import Kind, Ledges, Limits
 from jktools.geometry.components import components
 from jktools.model import Level
 
 Bool = npt.NDArray[np.bool_]
 Int32 = npt.NDArray[np.int32]
+UInt8 = npt.NDArray[np.uint8]
 
 PIT = 0x40
 """Sector flag: whoever falls in dies."""
+_FALLS = (Kind.LEVEL, Kind.SEAMLESS, Kind.STEP, Kind.FALL)
 _LIFTS = SectorFlag.THRUST | SectorFlag.NO_GRAVITY
 """Sector flags under which a body may come up without a floor."""
 
@@ -40,7 +42,8 @@ class Way(enum.IntFlag):
     WATER = 0x8
     DEADLY = 0x10
     UNKNOWN = 0x20
-    """A sector that lifts, a script that may do anything there, or a slope that is no floor."""
+    """A sector that lifts, a script that may do anything there, a slope that is no floor, or a lip that is climbed at
+    times."""
 
 
 class Entry(enum.IntFlag):
@@ -82,32 +85,76 @@ class Touched(NamedTuple):
     surfaces: Bool
 
 
-def basins_of(level: Level, ledges: Ledges, platforms: Platforms, touched: Touched) -> tuple[Basin, ...]:
-    """The basins of one body, by their first floors."""
-    surface, below, kind = ledges.surface, ledges.below, ledges.kind
-    falls = np.isin(kind, (Kind.LEVEL, Kind.SEAMLESS, Kind.STEP, Kind.FALL)) & (below >= 0)
-    count = len(level.surfaces)
-    region = components(count, surface[falls], below[falls])
-    here = region[surface]
-    lands = (below >= 0) & np.isin(kind, (Kind.LEVEL, Kind.SEAMLESS, Kind.STEP, Kind.FALL, Kind.LIP, Kind.JUMP))
-    there = np.where(lands, region[below], -1)
+class _Ways(NamedTuple):
+    """Ways from floor to floor, (n,) each: surfaces by their index, then the faces of things as they are placed."""
+
+    row: npt.NDArray[np.intp]
+    """Of `Ledges`; twice where the way leads back."""
+    here: Int32
+    there: Int32
+    """-1 for a way to nothing that carries."""
+    kind: UInt8
+    back: Bool
+    """Whether it is the way back up to the edge of a thing, which no edge of a floor tells."""
+
+
+def basins_of(level: Level, ledges: Ledges, touched: Touched) -> tuple[Basin, ...]:
+    """The basins of one body, by their first floors.
+
+    Floors are surfaces and the faces of things as they are placed; a basin without a surface is left out.
+    """
+    count, ways = len(level.surfaces), _ways(level, ledges)
+    falls = np.isin(ways.kind, _FALLS) & (ways.there >= 0)
+    region = components(count + len(ledges.edges.solids.face_solid), ways.here[falls], ways.there[falls])
+    here = region[ways.here]
+    lands = (ways.there >= 0) & np.isin(ways.kind, (*_FALLS, Kind.LIP, Kind.JUMP))
+    there = np.where(lands, region[ways.there], -1)
     apart = lands & (there != here)
-    leaves_down = np.zeros(count, np.bool_)
+    leaves_down = np.zeros(len(region), np.bool_)
     leaves_down[here[apart & falls]] = True
-    entering = apart & np.isin(kind, (Kind.SEAMLESS, Kind.FALL, Kind.JUMP)) & (ledges.deepest > 0) & ~ledges.narrow
-    found = []
+    deep = (ledges.deepest[ways.row] > 0) & ~ledges.narrow[ways.row] & ~ways.back
+    entering = apart & np.isin(ways.kind, (Kind.SEAMLESS, Kind.FALL, Kind.JUMP)) & deep
+    starting, found = set(starts(level)), []
     for number in sorted(set(there[entering & ~leaves_down[there]].tolist())):
-        surfaces = np.flatnonzero(ledges.edges.floors & (region == number))
-        rows = np.flatnonzero(entering & (there == number))
+        surfaces = np.flatnonzero(ledges.edges.floors & (region[:count] == number))
+        if not len(surfaces):
+            continue
+        rows = ways.row[entering & (there == number)]
         drops = np.concatenate([ledges.drop_start[rows], ledges.drop_end[rows]])
-        entered = _entered(kind[rows])
-        if set(starts(level)) & set(level.surface_sector[surfaces].tolist()):
+        entered = _entered(ledges.kind[rows])
+        if starting & set(level.surface_sector[surfaces].tolist()):
             entered |= Entry.START
         left = Way.DEADLY if _kills(level, ledges, rows) else Way(0)
-        left |= _left(level, ledges, np.flatnonzero(here == number), apart, surfaces, platforms, touched)
+        own = here == number
+        left |= _left(level, ledges.floors, ways.kind[own], apart[own], surfaces, touched)
+        if (ledges.thing[ways.row[own & (ways.kind == Kind.UNKNOWN)]] < 0).any():
+            left |= Way.UNKNOWN
         shallowest, deepest = max(0.0, float(drops.min())), float(drops.max())
         found.append(Basin(tuple(surfaces.tolist()), shallowest, deepest, entered, left, tuple(rows.tolist())))
     return tuple(sorted(found, key=lambda basin: basin.surfaces))
+
+
+def _ways(level: Level, ledges: Ledges) -> _Ways:
+    count = len(level.surfaces)
+    rows = np.flatnonzero(ledges.carrier_frame == PLACED)
+    surface, face = ledges.surface[rows], ledges.edges.face[ledges.edge[rows]]
+    here = np.where(surface >= 0, surface, count + face)
+    below, onto = ledges.below[rows], ledges.face[rows]
+    there = np.where(below >= 0, below, np.where(onto >= 0, count + onto, -1))
+    kind = ledges.kind[rows]
+    back = np.flatnonzero((face >= 0) & (there >= 0) & np.isin(kind, (Kind.SEAMLESS, Kind.FALL)))
+    limits, rise = Limits.of(ledges.walker, ledges.engine, lips=bool(len(back))), ledges.least[rows[back]]
+    up = np.select(
+        [rise <= limits.clearance, rise <= limits.lip, rise <= limits.jump, rise <= limits.hover],
+        [Kind.STEP, Kind.LIP, Kind.JUMP, Kind.UNKNOWN], Kind.WALL,
+    )  # fmt: skip
+    return _Ways(
+        np.concatenate([rows, rows[back]]),
+        np.concatenate([here, there[back]]).astype(np.int32),
+        np.concatenate([there, here[back]]).astype(np.int32),
+        np.concatenate([kind, up.astype(np.uint8)]),
+        np.arange(len(rows) + len(back)) >= len(rows),
+    )
 
 
 def starts(level: Level) -> list[int]:
@@ -118,7 +165,7 @@ def starts(level: Level) -> list[int]:
 def _kills(level: Level, ledges: Ledges, rows: npt.NDArray[np.intp]) -> bool:
     """Whether every way in ends in a fall that kills a body of full health."""
     deadly = ledges.walker.deadly_drop()
-    soft = (level.document.surfaces.flags[ledges.below[rows]] & SurfaceFlag.NO_FALL_DAMAGE) != 0
+    soft = (np.append(level.document.surfaces.flags, 0)[ledges.below[rows]] & SurfaceFlag.NO_FALL_DAMAGE) != 0
     return bool((~soft & (ledges.least[rows] >= deadly)).all())
 
 
@@ -131,16 +178,9 @@ def _entered(kinds: npt.NDArray[np.uint8]) -> Entry:
 
 
 def _left(
-    level: Level,
-    ledges: Ledges,
-    rows: npt.NDArray[np.intp],
-    apart: Bool,
-    surfaces: npt.NDArray[np.intp],
-    platforms: Platforms,
-    touched: Touched,
+    level: Level, floors: Floors, kinds: UInt8, leads: Bool, surfaces: npt.NDArray[np.intp], touched: Touched
 ) -> Way:
     left = Way(0)
-    kinds, leads = ledges.kind[rows], apart[rows]
     for kind, way in ((Kind.LIP, Way.WALK), (Kind.JUMP, Way.JUMP)):
         if (leads & (kinds == kind)).any():
             left |= way
@@ -155,18 +195,17 @@ def _left(
         left |= Way.WATER
     if (flags & _LIFTS).any() or touched.sectors[sectors].any() or touched.surfaces[surfaces].any():
         left |= Way.UNKNOWN
-    if _comes_to(level, platforms, surfaces):
+    if _comes_to(level, floors, surfaces):
         left |= Way.MOVER
     return left
 
 
-def _comes_to(level: Level, platforms: Platforms, surfaces: npt.NDArray[np.intp]) -> bool:
-    """Whether a thing that bodies can stand on comes over one of the floors."""
+def _comes_to(level: Level, floors: Floors, surfaces: npt.NDArray[np.intp]) -> bool:
+    """Whether a thing that bodies can stand on comes over one of the floors, at any of its places."""
+    low, high = floors.boxes()
     for surface in surfaces.tolist():
         corners = level.surfaces[surface].positions
-        low, high = corners.min(axis=0), corners.max(axis=0)
-        size = platforms.size[:, None]
-        near = (platforms.place + size >= low) & (platforms.place - size <= high)
+        near = (high >= corners.min(axis=0)) & (low <= corners.max(axis=0))
         if near.all(axis=1).any():
             return True
     return False

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -25,6 +25,7 @@ from jktools.engine.attachment import FACE_NORMAL_Z
 from jktools.facts.occluders import FACES, model_pose, placed_vertices
 from jktools.geometry import BLOCKS, CARRIES, Accuracy, Drop, Ending, SectorMesh
 from jktools.geometry.drop import NO_LIMIT
+from jktools.geometry.ledges import Solids
 from jktools.geometry.rest_pose import RestPose
 from jktools.model import Level, Thing
 from jktools.syntax.template.parameters import Scope
@@ -42,6 +43,8 @@ UNKNOWN_SIZE = 2.0
 """JKU: taken for the size of a thing that neither says it nor has its model at hand; that of a large lift."""
 PLACED = -1
 """In place of a frame: where the level places the thing."""
+GONE = -2
+"""In place of a frame: at none of the places that are known."""
 Point = tuple[float, float, float]
 
 
@@ -80,6 +83,9 @@ class Platform:
     low: Float64
     high: Float64
     """(3,) JKU: the box around them."""
+    pose: RestPose
+    vertices: Float64
+    """(n, 3) JKU: those of the model at rest, where the thing is."""
 
     def over(self, points: Float64) -> npt.NDArray[np.intp]:
         """Which points, (n, 3), may lie above it."""
@@ -109,6 +115,19 @@ class Ball(NamedTuple):
         return under > 0 or under * under < square
 
 
+class Scene(NamedTuple):
+    """One way in which the things of a level can be."""
+
+    thing: int
+    """Index of the one that is not as it is placed; -1 where all are."""
+    frame: int
+    """Where it is."""
+    present: Bool
+    """(platforms,): those that are there."""
+    moved: Bool
+    """(platforms,): those that make the difference: of the thing, where it is placed and where it is."""
+
+
 @dataclass(slots=True)
 class Floors:
     """The things of a level that bodies stand on, at all their places."""
@@ -119,6 +138,9 @@ class Floors:
     """The places of those whose models are not."""
     strayed: list[Thing] = field(default_factory=list)
     """Those with frames of their templates, whose places on the way are not worked out."""
+    moves: dict[int, list[int]] = field(default_factory=dict)
+    """By the index of a thing whose model is at hand, the frames at which it is not as it is placed; GONE for one that
+    comes to be at places that are not worked out."""
 
     @classmethod
     def of(cls, level: Level) -> Floors:
@@ -128,17 +150,72 @@ class Floors:
             if not carries(thing):
                 continue
             places = [(PLACED, thing.position.astype(np.float64), thing.angles.astype(np.float64)), *_frames(thing)]
-            if len(places) == 1 and "frame" in thing.resolved.values:
+            strays = len(places) == 1 and "frame" in thing.resolved.values
+            if strays:
                 found.strayed.append(thing)
             pose = model_pose(level, thing)
             if pose is None:
                 found.balls += [_ball(thing, position) for _, position, _ in places]
                 continue
+            moves = [GONE] if strays or thing.resolved.move == "physics" else []
             for frame, position, angles in places:
+                if frame != PLACED:
+                    if np.array_equal(position, places[0][1]) and np.array_equal(angles, places[0][2]):
+                        continue
+                    moves.append(frame)
                 platform = _platform(thing, frame, pose, position, angles)
                 if platform is not None:
                     found.platforms.append(platform)
+            if moves:
+                found.moves[thing.index] = moves
         return found
+
+    def scenes(self) -> Iterator[Scene]:
+        """How the things can be: all as they are placed, then each moving one at each of its frames."""
+        each = np.arange(len(self.platforms), dtype=np.int32)
+        thing, frame = self.thing_of(each), self.frame_of(each)
+        placed = frame == PLACED
+        yield Scene(-1, PLACED, placed, ~placed & False)
+        for index, frames in self.moves.items():
+            for number in frames:
+                here = (thing == index) & (frame == number)
+                yield Scene(index, number, placed & (thing != index) | here, (thing == index) & placed | here)
+
+    def thing_of(self, platforms: Int32) -> Int32:
+        """The index of the thing of each platform; -1 for -1."""
+        return np.array([*(platform.thing.index for platform in self.platforms), -1], np.int32)[platforms]
+
+    def frame_of(self, platforms: Int32) -> Int32:
+        """Where the thing of each platform is; PLACED for -1."""
+        return np.array([*(platform.frame for platform in self.platforms), PLACED], np.int32)[platforms]
+
+    def boxes(self) -> tuple[Float64, Float64]:
+        """The least and greatest corners, (n, 3) JKU, of the boxes in which a thing may carry, at all places."""
+        centre = np.array([ball.centre for ball in self.balls], np.float64).reshape(-1, 3)
+        radius = np.array([ball.radius for ball in self.balls], np.float64).reshape(-1, 1)
+        low = np.array([platform.low for platform in self.platforms], np.float64).reshape(-1, 3)
+        high = np.array([platform.high for platform in self.platforms], np.float64).reshape(-1, 3)
+        return np.concatenate([low, centre - radius]), np.concatenate([high, centre + radius])
+
+    def solids(self) -> Solids:
+        """All faces of the platforms, in their order."""
+        if not self.platforms:
+            return Solids.none()
+        corners: list[npt.NDArray[Any]] = []
+        starts: list[npt.NDArray[Any]] = [np.zeros(1, np.int32)]
+        solid, carries, first, last = [], [], 0, 0
+        for number, platform in enumerate(self.platforms):
+            pose = platform.pose
+            corners.append(pose.corner_vertex + first)
+            starts.append(pose.corner_start[1:] + last)
+            solid.append(np.full(len(pose), number))
+            carries.append(_faces_up(platform))
+            first, last = first + len(platform.vertices), last + int(pose.corner_start[-1])
+        return Solids(
+            np.concatenate([platform.vertices for platform in self.platforms]),
+            np.concatenate(starts).astype(np.int32), np.concatenate(corners).astype(np.int32),
+            np.concatenate(solid).astype(np.int32), np.concatenate(carries), len(self.platforms),
+        )  # fmt: skip
 
     def below(
         self,
@@ -263,7 +340,21 @@ def _platform(thing: Thing, frame: int, pose: RestPose, position: Float64, angle
         vertices, start, corners, [BLOCKS] * len(faces), [0], [len(faces)], passes_to=[CARRIES] * len(faces)
     )
     used = vertices[corners]
-    return Platform(thing, frame, mesh, faces, used.min(axis=0), used.max(axis=0))
+    return Platform(thing, frame, mesh, faces, used.min(axis=0), used.max(axis=0), pose, vertices)
+
+
+def _faces_up(platform: Platform) -> Bool:
+    """Which faces of the model bodies stand on: upright ones whose corners turn so that they face up."""
+    pose, vertices = platform.pose, platform.vertices
+    owner = np.repeat(np.arange(len(pose)), np.diff(pose.corner_start))
+    after = np.arange(1, len(owner) + 1)
+    after[pose.corner_start[1:] - 1] = pose.corner_start[:-1]
+    here = vertices[pose.corner_vertex] - vertices[pose.corner_vertex[pose.corner_start[owner]]]
+    turn = here[:, 0] * here[after, 1] - here[:, 1] * here[after, 0]
+    up: Bool = np.bincount(owner, weights=turn, minlength=len(pose)) > 0
+    upright = np.zeros(len(pose), np.bool_)
+    upright[platform.faces] = True
+    return up & upright
 
 
 def _ball(thing: Thing, position: Float64) -> Ball:

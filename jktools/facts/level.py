@@ -8,6 +8,7 @@ from jktools import geometry
 from jktools.engine.profile import Engine
 from jktools.facts.basins import Basin, Touched, basins_of, touched_by_scripts
 from jktools.facts.bodies import Walker, walkers
+from jktools.facts.camera import Camera
 from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.floors import Floors
@@ -16,6 +17,7 @@ from jktools.facts.hotspots import (
     Runner,
     Scene,
     SightWork,
+    Verdicts,
     class_scripts,
     game_runners,
     game_scripts,
@@ -23,15 +25,19 @@ from jktools.facts.hotspots import (
     runners,
     with_created,
 )
+from jktools.facts.in_view import Counted, FullFrame, fullest, in_view, totals
 from jktools.facts.islands import Island, islands
 from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
 from jktools.facts.occluders import Occluders
 from jktools.facts.openings import MOVEMENT, NOT_FOR_PLAYERS, VISIBLE, cleared_by_cogs, opened_by_cogs
-from jktools.facts.platforms import Platforms
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
+from jktools.facts.scene import Scene as SightScene
+from jktools.facts.scene import scene
 from jktools.facts.script import ScriptFacts, script_facts
+from jktools.facts.sightline import EndpointError
+from jktools.facts.still import Still
 from jktools.facts.travel import PLAYER, landings, passages, reached, rides
 from jktools.geometry import (
     Accuracy,
@@ -137,19 +143,14 @@ class LevelFacts:
 
     @cached_property
     def edges(self) -> EdgeWalker:
-        """The edges of the floors."""
-        return EdgeWalker(self.level)
-
-    @cached_property
-    def platforms(self) -> Platforms:
-        """The things that bodies can stand on, wherever they come to."""
-        return Platforms(self.level)
+        """The edges of the floors, and of the things that bodies stand on."""
+        return EdgeWalker(self.level, self.floors.solids())
 
     def ledges(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> Ledges:
         """What a body whose hover height is known meets beyond each edge of each floor."""
         key = (walker, engine, accuracy)
         if key not in self._ledges:
-            self._ledges[key] = ledges_of(self.level, self.edges, walker, self.platforms, engine, accuracy)
+            self._ledges[key] = ledges_of(self.level, self.edges, walker, self.floors, engine, accuracy)
         return self._ledges[key]
 
     @cached_property
@@ -164,7 +165,7 @@ class LevelFacts:
 
     def basins(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> tuple[Basin, ...]:
         """Where a body whose hover height is known comes down to, and what leads out."""
-        return basins_of(self.level, self.ledges(walker, engine, accuracy), self.platforms, self.touched)
+        return basins_of(self.level, self.ledges(walker, engine, accuracy), self.touched)
 
     @cached_property
     def overlaps(self) -> Overlaps:
@@ -217,6 +218,22 @@ class LevelFacts:
     def visibility(self) -> VisibleSectors:
         """Which sectors can be seen from which, at `balanced`."""
         return self.mesh.visible_sectors(open_surfaces=self.openable_surfaces)
+
+    @cached_property
+    def camera(self) -> Camera:
+        """What the renderer takes into frames of the level."""
+        return Camera(self.level)
+
+    def fullest_frame(self, item: Counted, most: int) -> FullFrame | None:
+        """A frame that takes in more than the engine draws of something, the fullest that is found; None without."""
+        if totals(self.level, self.camera)[item] <= most:
+            return None
+        found = fullest(self.level, self.camera, self._in_view[item], item)
+        return found if found is not None and found.held > most else None
+
+    @cached_property
+    def _in_view(self) -> tuple[Int32, Int32, Int32]:
+        return in_view(self.camera, self.visibility)
 
     def visible_sectors(self, accuracy: Accuracy) -> VisibleSectors:
         """Which sectors can be seen from which, at any tier."""
@@ -311,8 +328,17 @@ class LevelFacts:
         """The calls of verbs of sight, the dearest first."""
         if not self._may_ask_for_sight:
             return []
+        still = Still(self.level, self.instances, self.running, self.reach)
+        verdicts = Verdicts((t for t in self.level.things if t.dropped is None), still, self._seen)
         work = SightWork(self.level, self.mesh, self.changeable_surfaces)
-        return Scene(self.level, self.running, work, self.reach.created).hotspots()
+        return Scene(self.level, self.running, work, verdicts, self.reach.created).hotspots()
+
+    def _seen(self, a: int, b: int, engine: Engine) -> SightScene | None:
+        """What is seen of one thing from another, by their numbers; None where one is not in the level."""
+        try:
+            return scene(self, str(a), str(b), engine)
+        except EndpointError:
+            return None
 
     @cached_property
     def _may_ask_for_sight(self) -> bool:

@@ -74,9 +74,8 @@ def falling_flights(ledges: Ledges) -> list[Flight]:
 def _flights(ledges: Ledges) -> Iterator[tuple[tuple[int, ...], tuple[float, ...], tuple[float, ...]]]:
     """Chains of steps, each from the first step that no other leads to."""
     even = np.abs(ledges.drop_start - ledges.drop_end) <= 0.01
-    steps = np.flatnonzero(
-        (ledges.kind == Kind.SEAMLESS) & even & (ledges.least > 0) & (ledges.length >= LEAST_WIDTH) & ~ledges.narrow
-    ).tolist()
+    between = ledges.of_level & (ledges.below >= 0) & (ledges.kind == Kind.SEAMLESS) & ~ledges.narrow
+    steps = np.flatnonzero(between & even & (ledges.least > 0) & (ledges.length >= LEAST_WIDTH)).tolist()
     here, there = ledges.edges.ends(ledges.edge)
     along = there - here
     out = np.stack([along[:, 1], -along[:, 0]], axis=1)

@@ -35,7 +35,7 @@ class Start(NamedTuple):
 class LevelSimulation(Simulation):
     """A body in a level: its sector's flags act on it, and its thrust points where it looks.
 
-    Gravity is the level's. A sector's thrust vector is not in a JKL (COGs set it) and stays 0.
+    Gravity is the level's. A sector's thrust vector is not in a JKL (COGs set it): it is 0 until a phase gives one.
     """
 
     def __init__(
@@ -53,6 +53,10 @@ class LevelSimulation(Simulation):
         near = self.ground.floor_below(self._place(), 2 * self.hover_height(), 0.0, int(SurfaceFlag.COLLISION))
         if near is not None:
             super().rest_on_ground()
+
+    def launch(self, velocity: Vector) -> None:
+        """Give the body a velocity, JKU/s in the frame of its look: x right, y forward, z up."""
+        self.velocity = self.look @ np.array(velocity, np.float64)
 
     def tick(self, keys: Keys, dt: float, *, jumps: bool = False) -> tuple[Float64, list[tuple[Event, float]]]:
         """Advance by `dt` seconds under the flags of the sector in which the body is (see `Simulation.tick`)."""

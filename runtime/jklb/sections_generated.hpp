@@ -397,12 +397,17 @@ struct Ledges {
     Column<float> drop_start;
     Column<float> drop_end;
     Column<std::uint8_t> traits;
+    Column<std::int32_t> carrier;
+    Column<std::int32_t> carrier_frame;
+    Column<std::int32_t> carrier_face;
+    Column<std::int32_t> onto;
+    Column<std::int32_t> onto_face;
 
     Ledges() = default;
-    Ledges(const jktools::Ledges& table, unsigned)
+    Ledges(const jktools::Ledges& table, unsigned minor)
         : body_movesize(column<float>(table.body_movesize(), table.body_movesize_packed(), 1, 0)),
           body_name(column<std::uint32_t>(table.body_name(), table.body_name_packed(), 1, 0)),
-          surface(column<std::int32_t>(table.surface(), table.surface_packed(), 1, 0)),
+          surface(column<std::int32_t>(table.surface(), table.surface_packed(), 1, 0, -1)),
           body_hover(column<float>(table.body_hover(), table.body_hover_packed(), 1, body_movesize.rows())),
           body_reattach(column<float>(table.body_reattach(), table.body_reattach_packed(), 1, body_movesize.rows())),
           body_step(column<float>(table.body_step(), table.body_step_packed(), 1, body_movesize.rows())),
@@ -420,7 +425,12 @@ struct Ledges {
           thing(column<std::int32_t>(table.thing(), table.thing_packed(), 1, surface.rows())),
           drop_start(column<float>(table.drop_start(), table.drop_start_packed(), 1, surface.rows())),
           drop_end(column<float>(table.drop_end(), table.drop_end_packed(), 1, surface.rows())),
-          traits(column<std::uint8_t>(table.traits(), table.traits_packed(), 1, surface.rows())) {}
+          traits(column<std::uint8_t>(table.traits(), table.traits_packed(), 1, surface.rows())),
+          carrier(minor >= 2 ? column<std::int32_t>(table.carrier(), table.carrier_packed(), 1, surface.rows(), -1) : Column<std::int32_t>()),
+          carrier_frame(minor >= 2 ? column<std::int32_t>(table.carrier_frame(), table.carrier_frame_packed(), 1, surface.rows(), -1) : Column<std::int32_t>()),
+          carrier_face(minor >= 2 ? column<std::int32_t>(table.carrier_face(), table.carrier_face_packed(), 1, surface.rows(), -1) : Column<std::int32_t>()),
+          onto(minor >= 2 ? column<std::int32_t>(table.onto(), table.onto_packed(), 1, surface.rows(), -1) : Column<std::int32_t>()),
+          onto_face(minor >= 2 ? column<std::int32_t>(table.onto_face(), table.onto_face_packed(), 1, surface.rows(), -1) : Column<std::int32_t>()) {}
 };
 
 struct Basins {
@@ -851,7 +861,7 @@ inline void check_motion(Checks& check, const Motion& own) {
     check.rows("motion.run_jump_reach", own.run_jump_reach, own.template_.rows());
 }
 
-inline void check_ledges(Checks& check, const Ledges& own, const Sections& all, std::size_t strings) {
+inline void check_ledges(Checks& check, const Ledges& own, const Sections& all, std::size_t strings, unsigned minor) {
     check.form("ledges.body_movesize", own.body_movesize);
     check.form("ledges.body_hover", own.body_hover);
     check.rows("ledges.body_hover", own.body_hover, own.body_movesize.rows());
@@ -874,7 +884,7 @@ inline void check_ledges(Checks& check, const Ledges& own, const Sections& all, 
     check.cuts("ledges.body_ledge_start", own.body_ledge_start, own.surface.rows());
     check.rows("ledges.body_ledge_start", own.body_ledge_start, own.body_movesize.rows() + 1);
     check.form("ledges.surface", own.surface);
-    check.indices("ledges.surface", own.surface, 0, (all.geometry ? all.geometry->surface_flags.rows() : 0), "geometry.surface_flags");
+    check.indices("ledges.surface", own.surface, -1, (all.geometry ? all.geometry->surface_flags.rows() : 0), "geometry.surface_flags");
     check.form("ledges.corner", own.corner);
     check.rows("ledges.corner", own.corner, own.surface.rows());
     check.form("ledges.start", own.start);
@@ -896,6 +906,26 @@ inline void check_ledges(Checks& check, const Ledges& own, const Sections& all, 
     check.rows("ledges.drop_end", own.drop_end, own.surface.rows());
     check.form("ledges.traits", own.traits);
     check.rows("ledges.traits", own.traits, own.surface.rows());
+    if (minor >= 2) {
+        check.form("ledges.carrier", own.carrier);
+        check.rows("ledges.carrier", own.carrier, own.surface.rows());
+    }
+    if (minor >= 2) {
+        check.form("ledges.carrier_frame", own.carrier_frame);
+        check.rows("ledges.carrier_frame", own.carrier_frame, own.surface.rows());
+    }
+    if (minor >= 2) {
+        check.form("ledges.carrier_face", own.carrier_face);
+        check.rows("ledges.carrier_face", own.carrier_face, own.surface.rows());
+    }
+    if (minor >= 2) {
+        check.form("ledges.onto", own.onto);
+        check.rows("ledges.onto", own.onto, own.surface.rows());
+    }
+    if (minor >= 2) {
+        check.form("ledges.onto_face", own.onto_face);
+        check.rows("ledges.onto_face", own.onto_face, own.surface.rows());
+    }
 }
 
 inline void check_basins(Checks& check, const Basins& own, const Sections& all) {
@@ -929,7 +959,7 @@ inline void check_sections(Checks& check, const Sections& all, std::size_t strin
     if (all.particles) check_particles(check, *all.particles, strings);
     if (all.colour_effects) check_colour_effects(check, *all.colour_effects, all, strings);
     if (all.motion) check_motion(check, *all.motion);
-    if (all.ledges) check_ledges(check, *all.ledges, all, strings);
+    if (all.ledges) check_ledges(check, *all.ledges, all, strings, minor);
     if (all.basins) check_basins(check, *all.basins, all);
 }
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 import pytest
@@ -13,6 +13,7 @@ import pytest
 from fixtures.smithdev.pack import GOB
 from jktools.compiler import open_compiled
 from tests.experiments.smithdev import Experiment
+from tests.experiments.tracing import Run, run_trace
 
 Compile = Callable[..., Experiment]
 
@@ -25,7 +26,7 @@ def compiled(tmp_path_factory: pytest.TempPathFactory) -> Compile:
     def build(*options: str) -> Experiment:
         path = tmp_path_factory.mktemp("smithdev") / "smithdev.jklb"
         command = [Path(sys.executable).parent / "jktools", "build", GOB, "-o", path, "--config", "none", *options]
-        subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, timeout=600)
+        subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, timeout=900)
         return Experiment(path, open_compiled(path, verify=True))
 
     return build
@@ -35,3 +36,9 @@ def compiled(tmp_path_factory: pytest.TempPathFactory) -> Compile:
 def smithdev(compiled: Compile) -> Experiment:
     """The level at the default settings."""
     return compiled()
+
+
+@pytest.fixture
+def trace(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Run:
+    """Runs `jktools trace run` in the level: a script, a start, options."""
+    return partial(run_trace, tmp_path, capsys)

@@ -6,23 +6,18 @@ what a body does that is walked over it with `jktools trace`.
 
 from __future__ import annotations
 
-import csv
-import io
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
 
-from fixtures.smithdev.pack import GOB
-from jktools.cli import main
 from jktools.facts.ledges import Kind
 from tests.experiments.conftest import Compile
 from tests.experiments.smithdev import GOLDEN, HANDLE, Experiment
+from tests.experiments.tracing import Run
 
 PITS: list[dict[str, str]] = HANDLE["pit_rows"]["about"]["pits"]
 ROWS: list[dict[str, str]] = HANDLE["pit_rows"]["about"]["rows"]
-LEVEL = f"{GOB}!jkl/smithdev.jkl"
 ENGINES = ("research", "openjkdf2")
 
 
@@ -118,46 +113,40 @@ def test_below_the_movesize_the_offset_does_not_count(compiled: Compile, offset:
     assert limits == [0.13, 0.1349]
 
 
+TOLD_APART = [
+    ("0.120114", "0.1851", "0.1852"), ("0.01", "0.13", "0.1301"), ("0.06", "0.13", "0.1301"),
+    ("0.2", "0.265", "0.2651"), ("0.4", "0.465", "0.4651"),
+]  # fmt: skip
+"""Insert offset and two depths 0.0001 JKU apart, of which one is seamless by `research` and the next is not."""
+
+
 @pytest.mark.parametrize("accuracy", ["balanced", "exact"])
 def test_pits_a_ten_thousandth_apart_are_told_apart(compiled: Compile, accuracy: str) -> None:
-    level = compiled("--accuracy", accuracy, "--only", "ledges")
-    verdicts = {(p["insert_offset"], p["depth"]): seamless(level, p) for p in PITS}
+    level = compiled("--accuracy", accuracy)
+    assert level.level.settings["accuracy"] == accuracy
+    assert told_apart(level) == TOLD_APART
+
+
+def test_the_fast_tier_rounds_such_pits_together(compiled: Compile) -> None:
+    """`fast` puts all vertices on one grid, whose step is wider than 0.0001: it still tells 0.13 from 0.2."""
+    level = compiled("--accuracy", "fast")
+    verdicts = {p["depth"]: seamless(level, p) for p in PITS if p["insert_offset"] == "0.120114"}
+    assert (verdicts["0.11"], verdicts["0.13"], verdicts["0.2"]) == (True, True, False)
+    assert told_apart(level) == []
+
+
+def told_apart(level: Experiment) -> list[tuple[str, str, str]]:
+    """The neighbours in depth that get different verdicts."""
+    verdicts = {(p["insert_offset"], p["depth"]): seamless(level, p) for p in level.about("pit_rows")["pits"]}
     told = []
     for (offset, depth), verdict in verdicts.items():
         deeper = f"{round(float(depth) + 1e-4, 4)}"
         if (offset, deeper) in verdicts and verdict is not verdicts[offset, deeper]:
             told.append((offset, depth, deeper))
-    assert told == [
-        ("0.120114", "0.1851", "0.1852"), ("0.01", "0.13", "0.1301"), ("0.06", "0.13", "0.1301"),
-        ("0.2", "0.265", "0.2651"), ("0.4", "0.465", "0.4651"),
-    ]  # fmt: skip
+    return told
 
 
 # ---- what a body does that is walked over them
-
-
-class Walk(NamedTuple):
-    """A body's way in the chamber: JKU ahead of its start, height over the walkway, and what was said of it."""
-
-    ahead: list[float]
-    height: list[float]
-    said: list[str]
-
-
-def walked(
-    pit: dict[str, str], folder: Path, capsys: pytest.CaptureFixture[str], *options: str, seconds: float = 2.0
-) -> Walk:
-    script = folder / "walk.txt"
-    script.write_text(f"0 walk forward\n{seconds} end\n")
-    start = HANDLE["pit_rows"]["things"][pit["start"]]
-    words = ["trace", "run", str(script), "--level", LEVEL, "--at", str(start), "--body", pit["template"], *options]
-    assert main(words) == 0
-    out = capsys.readouterr()
-    rows = [[float(row[f"position_{axis}"]) for axis in "xyz"] for row in csv.DictReader(io.StringIO(out.out))]
-    ahead = [float(np.hypot(x - rows[0][0], y - rows[0][1])) for x, y, _ in rows]
-    return Walk(
-        ahead, [z for *_, z in rows], [line.partition(" s: ")[2].split(",")[0] for line in out.err.splitlines()]
-    )
 
 
 RIM = 0.5
@@ -167,29 +156,30 @@ RIM = 0.5
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("pit", PITS, ids=lambda pit: f"{pit['insert_offset']} {pit['depth']}")
 def test_a_walk_detaches_where_the_ledge_pass_says(
-    compiled: Compile, pit: dict[str, str], engine: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    compiled: Compile, pit: dict[str, str], engine: str, trace: Run
 ) -> None:
-    walk = walked(pit, tmp_path, capsys, "--engine", engine, seconds=3.0)
+    start, body = f"pit_rows/{pit['start']}", ("--body", pit["template"])
+    walk = trace("0 walk forward\n3 end", start, *body, "--engine", engine)
     assert walk.ahead[-1] > RIM + 0.2
     fell = not seamless(compiled("--engine", engine), pit)
     assert walk.said == (["leaves the ground", "lands"] if fell else [])
     rest = max(float(pit["insert_offset"]), 0.065 if engine == "research" else 0.07)
-    assert walk.height[0] == pytest.approx(rest, abs=1e-7)
-    assert walk.height[-1] == pytest.approx(rest - float(pit["depth"]), abs=1e-6)
+    assert walk.position[0, 2] == pytest.approx(rest, abs=1e-7)
+    assert walk.position[-1, 2] == pytest.approx(rest - float(pit["depth"]), abs=1e-6)
 
 
 @pytest.mark.parametrize("depth", ["0.11", "0.13", "0.185", "0.1851"])
-def test_the_bump(depth: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_bump(depth: str, trace: Run) -> None:
     """'A bump point that is transitioned to first, then a following transition to the final point', at 0.11 too.
 
     Gingerly, at 0.2 JKU/s: the body sinks at 0.5 JKU/s, rests on the pit's edge with its sphere, and sinks on.
     """
     assert GOLDEN["reattach"]["bump"] == "settles twice, at depth 0.11 too"
     (pit,) = (p for p in PITS if (p["insert_offset"], p["depth"]) == ("0.120114", depth))
-    options = ("--set", "maxthrust=0.6", "--fps", "100")
-    walk = walked(pit, tmp_path, capsys, *options, seconds=5.0)
+    options = ("--body", pit["template"], "--set", "maxthrust=0.6", "--fps", "100")
+    walk = trace("0 walk forward\n5 end", f"pit_rows/{pit['start']}", *options)
     assert walk.said == []
-    sinking = np.abs(np.diff(walk.height) + 0.5 / 100) < 1e-9
+    sinking = np.abs(np.diff(walk.position[:, 2]) + 0.5 / 100) < 1e-9
     starts = np.flatnonzero(np.diff(sinking.astype(int), prepend=0) == 1)
     assert len(starts) == 2
     assert RIM <= walk.ahead[starts[0]] < walk.ahead[starts[1]]

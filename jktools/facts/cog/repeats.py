@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from heapq import heappop, heappush
 from typing import NamedTuple
 
@@ -154,8 +155,8 @@ class Counter:
     ) -> None:  # fmt: skip
         """Count nothing yet; `frames` are the game's a second.
 
-        `undisturbed` takes it that no handler which a verb runs in between starts the list of things in view anew: the
-        counts are then what is meant, and no longer bounds whatever other scripts do.
+        `undisturbed` takes it that no handler which a verb runs in between starts the list of things in view anew, or
+        sets a counter back: the counts are then what is meant, and no longer bounds whatever other scripts do.
         """
         self.undisturbed = undisturbed
         self.program = program
@@ -234,7 +235,7 @@ class Counter:
         starts = [(lasting, s) for s in self.flow.blocks[header].successors if s in part]
         return self._search(starts, part - {header}, header, MOST_FRAMES)
 
-    def _search(self, starts: list[tuple[float, int]], inside: frozenset[int], goal: int, depth: int) -> float:
+    def _search(self, starts: list[tuple[float, int]], inside: AbstractSet[int], goal: int, depth: int) -> float:
         """The least time asleep on a way through blocks to a goal, `_END` for the end of a label's code."""
         blocks = self.flow.blocks
         done: set[int] = set()
@@ -264,7 +265,7 @@ class Counter:
         """How long the code of a label sleeps at least before it returns; `depth` more labels can be called."""
         key = (entry, depth)
         if key not in self._asleep:
-            inside = frozenset(self.reach.blocks_from([entry], into_calls=False))
+            inside = self.known.visited.intersection(self.reach.blocks_from([entry], into_calls=False))
             free = self._effort > MOST_EFFORT
             self._asleep[key] = 0.0 if free else self._search([(0.0, entry)], inside, _END, depth)
         return self._asleep[key]
@@ -416,8 +417,9 @@ class Counter:
         if any(index in called for index, _ in stores):
             return True
         return len(stores) > 1 and any(
-            op is Op.CALL and arg.delivers for i in part | called for op, arg, _ in blocks[i].code
-        )
+            op is Op.CALL and (arg.sleeps if self.undisturbed else arg.delivers)
+            for i in part | called for op, arg, _ in blocks[i].code
+        )  # fmt: skip
 
     def _every_turn(self, index: int, header: int, part: frozenset[int]) -> bool:
         """Whether each way round the loop passes a block, and none passes it twice."""

@@ -20,7 +20,7 @@ from jktools.facts.hotspots.traces import Leaf, leaves
 from jktools.facts.reachability import OF_STATIC
 from jktools.model.cog.messages import LAST_SENDABLE
 from jktools.model.cog.program import Handler
-from jktools.syntax.cog.nodes import Call
+from jktools.syntax.cog.nodes import Call, Expression
 
 CREATES = frozenset(
     {
@@ -61,7 +61,7 @@ class Sending(NamedTuple):
     """Messages of one call."""
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Clock:
     """A pulse or timer of a script or of a thing; a script's timers by SetTimerEx are one clock with many hands."""
 
@@ -202,16 +202,23 @@ class Network:
         for number in sorted(numbers):
             clock: Clock | None = None
             for node in hearing:
-                copies = _copies(node.runner, number)
+                copies = node.runner.links.get(number, 0)
                 if copies:
                     clock = clock or self._clock(number, kind, max(low, 0.0), max(high, 0.0))
                     self._hears(node, clock, copies)
             if clock is not None:
                 clock.set_by.append(Sending(sender, site))
-        if not known:
-            for node in hearing:
-                if node.runner.things or node.runner.more:
-                    self._reached(node).open = True
+        to_come = self._reaches_things_to_come(sender.runner, site)
+        for node in hearing:
+            unsure = not known and (node.runner.links or node.runner.more)
+            if unsure or node.runner.captures or (to_come and node.runner is sender.runner):
+                self._reached(node).open = True
+
+    def _reaches_things_to_come(self, runner: Runner, site: Site) -> bool:
+        """Whether a call can mean a thing that sent a message, and that play created."""
+        given = site.call.arguments[0] if site.call.arguments else None
+        verbs = (runner.analysis.program.verb_of(each) for each in _calls(runner, given))
+        return runner.more and any(verb is not None and verb.name in SENDER_VERBS for verb in verbs)
 
     def _things(self, sender: Node, site: Site) -> tuple[set[int], bool]:
         """The numbers of the placed things that a call means, and whether those are all."""
@@ -267,7 +274,7 @@ class Network:
                 if targets is None or node.runner in targets:
                     copies = 1.0
                     if name == "sendmessageexradius":
-                        copies = float(sum(node.runner.copies(thing.number) for thing in node.runner.things))
+                        copies = float(sum(node.runner.links.values()))
                     self._reached(node).messages.append(Sending(sender, site, copies))
                 elif not known:
                     self._reached(node).open = True
@@ -356,11 +363,11 @@ def _sites(node: Node) -> Iterator[Site]:
     return (site for site in rates.sites if site.block in reached)
 
 
+def _calls(runner: Runner, given: Expression | None) -> Iterator[Call]:
+    for leaf in () if given is None else leaves(runner.analysis, given):
+        if isinstance(leaf, Call):
+            yield leaf
+
+
 def _handler(node: Node) -> Handler:
     return node.runner.analysis.program.handler_of[node.label]
-
-
-def _copies(runner: Runner, number: int) -> int:
-    if all(thing.number != number for thing in runner.things):
-        return 0
-    return runner.copies(number)

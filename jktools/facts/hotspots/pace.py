@@ -13,9 +13,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from functools import cached_property
 from typing import NamedTuple, TypeVar
 
-from jktools.facts.cog.lowering import Block
+from jktools.facts.cog import ranges
+from jktools.facts.cog.lowering import Block, Op
 from jktools.facts.cog.rates import Site, apart
 from jktools.facts.cog.repeats import VIEWS, Repeats, endless_parts
 from jktools.facts.hotspots.network import Clock, Inputs, Network, Node, Sending
@@ -46,8 +48,8 @@ class Bound(NamedTuple):
 NOTHING = Bound(0.0, 0.0)
 UNBOUNDED = Bound(math.inf, math.inf)
 
-_Vertex = Node | Runner | tuple[Runner | int, str]
-"""A handler; what wakes a script, by the script; a clock, by what it belongs to and its kind."""
+_Vertex = Node | Runner | Clock
+"""A handler; what wakes a script, by the script; a clock."""
 
 
 class Paces:
@@ -88,12 +90,21 @@ class Paces:
         return woken and any(self.network.inputs[n].open for n in self.network.live if n.runner is runner)
 
     def _may_be_disturbed(self, node: Node, site: Site) -> bool:
-        """Whether a loop over the things in view can find the list, which all scripts share, begun anew."""
+        """Whether a loop on the way to a call can turn more often, by what a verb in it makes run in between.
+
+        That can begin the list of the things in view anew, which all scripts share, or set a counter back.
+        """
         if self.passes(*node, site) == node.runner.analysis.rates.repeats_of(node.label, site):
             return False
-        return any(other != node or not self._is_clocked(other) for other in self._looking)
+        if any(other != node or not self._is_clocked(other) for other in self._looking):
+            return True
+        own = _stored(node)
+        return any(
+            other.runner is node.runner and not self._is_clocked(other) and own.intersection(_stored(other))
+            for other in self.network.live
+        )
 
-    @property
+    @cached_property
     def _looking(self) -> list[Node]:
         return [
             node
@@ -118,8 +129,7 @@ class Paces:
         return min(found)
 
     def _lasts(self, clock: Clock) -> bool:
-        bound = self.bounds.get((clock.owner, clock.kind), NOTHING)
-        return bound.rate > 0
+        return self.bounds.get(clock, NOTHING).rate > 0
 
     def causes(self, runner: Runner, label: str) -> list[Node]:
         """The handlers, run from outside, each message to which may add runs of this one."""
@@ -143,6 +153,13 @@ class Paces:
         return any(site.block in each.reach.blocks_from(part) and not inside.keys().isdisjoint(part) for part in parts)
 
 
+def _stored(node: Node) -> set[int]:
+    """The symbols that a handler can assign to; the first of each array."""
+    each = node.runner.analysis
+    blocks = each.reach.handler_blocks[node.label] & each.known.visited
+    return {arg for i in blocks for op, arg, _ in each.flow.blocks[i].code if op in (Op.STORE, Op.STORE_AT)}
+
+
 def _calls(bounds: Mapping[_Vertex, Bound], node: Node, passes: Repeats) -> Bound:
     runs = bounds.get(node, NOTHING)
     found = runs.times(passes.per_run).plus(Bound(0.0, passes.per_second if runs != NOTHING else 0.0))
@@ -156,7 +173,6 @@ class _Solution:
 
     def __init__(self, network: Network, frame: float) -> None:
         self.network, self.frame = network, frame
-        self.clocks = {(clock.owner, clock.kind): clock for clock in network.clocks.values()}
         self.bounds: dict[_Vertex, Bound] = {}
         sleeping = {
             node.runner
@@ -164,7 +180,8 @@ class _Solution:
             for each in network.repeats[node.runner][node.label].values()
             if each.per_interruption
         }
-        self.vertices: list[_Vertex] = [*network.live, *(r for r in network.runners if r in sleeping), *self.clocks]
+        self.vertices: list[_Vertex] = [*network.live, *(r for r in network.runners if r in sleeping)]
+        self.vertices += network.clocks.values()
 
     def run(self) -> dict[_Vertex, Bound]:
         for part in ordered(self.vertices, self._needs):
@@ -176,10 +193,10 @@ class _Solution:
 
     def _circle(self, part: Sequence[_Vertex]) -> None:
         """Of vertices that lead to each other: clocks keep to their intervals; circles of messages have no bound."""
-        rest = []
+        rest: list[_Vertex] = []
         for vertex in part:
-            if vertex in self.clocks:
-                self.bounds[vertex] = self._in_circle(self.clocks[vertex], part)
+            if isinstance(vertex, Clock):
+                self.bounds[vertex] = self._in_circle(vertex, part)
             else:
                 rest.append(vertex)
         for inner in ordered(rest, self._needs):
@@ -191,14 +208,12 @@ class _Solution:
     def _needs(self, vertex: _Vertex) -> list[_Vertex]:
         """What the bound of a vertex is worked out from."""
         found: list[_Vertex] = []
-        if vertex in self.clocks:
-            clock = self.clocks[vertex]
-            if self._is_counted(clock):
-                for sending in clock.set_by:
-                    found += self._needs_of(sending)
+        if isinstance(vertex, Clock):
+            for sending in vertex.set_by if self._is_counted(vertex) else ():
+                found += self._needs_of(sending)
             return found
         for inputs, own in self._inputs(vertex):
-            found += [(clock.owner, clock.kind) for clock, _ in inputs.clocks]
+            found += [clock for clock, _ in inputs.clocks]
             for sending in inputs.messages:
                 if own is None or sending.sender.runner is not own:
                     found += self._needs_of(sending)
@@ -216,13 +231,13 @@ class _Solution:
         return [(self.network.inputs[vertex], None)]
 
     def _value(self, vertex: _Vertex) -> Bound:
-        if vertex in self.clocks:
-            return self._clock(self.clocks[vertex])
+        if isinstance(vertex, Clock):
+            return self._clock(vertex)
         total = NOTHING
         for inputs, own in self._inputs(vertex):
             total = total.plus(Bound(inputs.events, 0.0))
             for clock, copies in inputs.clocks:
-                total = total.plus(self.bounds[(clock.owner, clock.kind)].times(copies))
+                total = total.plus(self.bounds[clock].times(copies))
             for sending in inputs.messages:
                 if own is None or sending.sender.runner is not own:
                     total = total.plus(self._sent(sending))
@@ -274,11 +289,11 @@ class _Solution:
                 start = start.plus(self._sent(sending))
         if start.rate > 0:
             return most
-        return _least(Bound(start.once, start.once / apart(clock.seconds, self.frame)), most)
+        seconds = min(ranges.as_flex(sending.site.arguments[0])[0] for sending in again)
+        return _least(Bound(start.once, start.once / apart(seconds, self.frame)), most)
 
     def _outside(self, clock: Clock, part: Sequence[_Vertex]) -> Bound:
-        vertex = (clock.owner, clock.kind)
-        return self._most(clock) if vertex in part else self.bounds[vertex]
+        return self._most(clock) if clock in part else self.bounds[clock]
 
 
 def _least(a: Bound, b: Bound) -> Bound:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from jktools.facts.cog.analysis import Analysis
 from jktools.facts.cog.dataflow import default_value
@@ -44,13 +44,15 @@ class Runner:
     script: ScriptFacts
     analysis: Analysis
     things: tuple[Thing, ...]
-    """Those whose messages it gets: the carriers of a class COG, those that a placed one is linked to or captures."""
+    """The carriers of a class COG; those that a placed one is linked to or captures."""
     cog: Cog | None = None
     """The one that the level places; None for a class COG and for one of the game's own."""
     more: bool = False
     """Whether it can get messages from things that are not known: how many play creates, or which it captures."""
-    links: Mapping[int, int] | None = None
-    """By number of a thing: how often each of its messages comes; None for once from each."""
+    captures: bool = False
+    """Whether it captures things that are not known."""
+    links: Mapping[int, int] = field(default_factory=dict)
+    """By number of a thing: how often each of its messages comes."""
     number: int = -1
     """The engine's; -1 where it is not known."""
     of: str = ""
@@ -66,7 +68,7 @@ class Runner:
         if self.of:
             return f"{self.name} of {self.of}"
         count = len(self.things)
-        more = " and what is created" if self.more else ""
+        more = " and others" if self.more else ""
         return f"class cog {self.name} on {count} thing{'' if count == 1 else 's'}{more}"
 
     @property
@@ -77,10 +79,6 @@ class Runner:
         if self.things:
             return 1, self.things[0].index, self.name
         return (2, 0, self.name) if not self.of else (3, self.number, self.name)
-
-    def copies(self, number: int) -> int:
-        """How often a message of a thing comes to it."""
-        return 1 if self.links is None else self.links.get(number, 0)
 
 
 def class_name(thing: Thing) -> str | None:
@@ -103,27 +101,35 @@ def runners(level: Level, instances: Iterable[InstanceFacts], script_of: ScriptO
         if name is not None:
             carriers.setdefault(name, []).append(thing)
     for name, things in carriers.items():
-        class_cog = _class_cog(name, script_of)
+        class_cog = _class_cog(name, script_of, things)
         if class_cog is not None:
-            found.append(replace(class_cog, things=tuple(things)))
+            found.append(class_cog)
     return found
 
 
 def _placed(instance: InstanceFacts, script: ScriptFacts, analysis: Analysis, by_number: Mapping[int, Thing]) -> Runner:
     links = Counter(_linked(instance))
-    captured, known = _captured(instance, analysis)
-    links.update(dict.fromkeys(captured, 1))
+    captured, known = _captured(analysis)
+    if not known:
+        captured |= {v.value for v in instance.values if v.slot.type == "thing" and isinstance(v.value, int)}
+    links.update(captured)
     present = {number: count for number, count in links.items() if number in by_number}
     things = tuple(by_number[number] for number in present)
     name = instance.cog.name.lower()
-    return Runner(name, script, analysis, things, instance.cog, not known, present, instance.number)
+    return Runner(
+        name, script, analysis, things, instance.cog, not known, not known, present, instance.number
+    )  # fmt: skip
 
 
-def _class_cog(name: str, script_of: ScriptOf) -> Runner | None:
+def _class_cog(name: str, script_of: ScriptOf, things: Sequence[Thing] = ()) -> Runner | None:
     script = script_of(name)
     if script is None or script.script.rejected:
         return None
-    return Runner(name, script, Analysis(script.program, {}, script.analysis), ())
+    analysis = Analysis(script.program, {}, script.analysis)
+    captured, known = _captured(analysis)
+    links = Counter(thing.number for thing in things)
+    links.update(captured)
+    return Runner(name, script, analysis, tuple(things), more=not known, captures=not known, links=links)
 
 
 def _linked(instance: InstanceFacts) -> Iterator[int]:
@@ -137,23 +143,24 @@ def _linked(instance: InstanceFacts) -> Iterator[int]:
                 yield value
 
 
-def _captured(instance: InstanceFacts, analysis: Analysis) -> tuple[list[int], bool]:
-    """What CaptureThing binds to a script, and whether that is all; any thing of its line where it is not known."""
-    found: list[int] = []
+def _captured(analysis: Analysis) -> tuple[set[int], bool]:
+    """The numbers of the things that CaptureThing binds to a script, and whether those are all."""
+    found: set[int] = set()
     known = True
     for site in analysis.rates.sites:
         if site.verb.name != CAPTURE or not site.arguments:
             continue
         number = site.arguments[0].number
         if number is not None:
-            found.append(int(number))
+            found.add(int(number))
             continue
-        traced = list(leaves(analysis, site.call.arguments[0])) if site.call.arguments else [None]
-        found += [leaf for leaf in traced if isinstance(leaf, int)]
-        if not all(isinstance(leaf, int) for leaf in traced):
-            known = False
-            found += [v.value for v in instance.values if v.slot.type == "thing" and isinstance(v.value, int)]
-    return list(dict.fromkeys(found)), known
+        given = site.call.arguments[0] if site.call.arguments else None
+        for leaf in [None] if given is None else leaves(analysis, given, starts=True):
+            if isinstance(leaf, int):
+                found.add(leaf)
+            else:
+                known = False
+    return found, known
 
 
 # ---- what is not there from the start
@@ -223,9 +230,11 @@ def game_runners(level: Level, script_of: ScriptOf) -> list[Runner]:
         if of == STATIC:
             placed = InstanceFacts(values[position], script, number)
             if placed.analysis is not None:
-                found.append(Runner(name, script, placed.analysis, (), number=number, of=of))
+                captured, known = _captured(placed.analysis)
+                runner = Runner(name, script, placed.analysis, (), number=number, of=of, links=Counter(captured))
+                found.append(replace(runner, more=not known, captures=not known))
             number += 1
         else:
-            analysis = Analysis(script.program, {}, script.analysis)
-            found.append(Runner(name, script, analysis, (), of=of))
+            item = _class_cog(name, script_of)
+            found += [] if item is None else [replace(item, of=of)]
     return found

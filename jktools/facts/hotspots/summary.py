@@ -38,7 +38,11 @@ class CostSummary(msgspec.Struct, frozen=True):
     pairs: int
     """Pairs of places that were tried; 0 where nothing is known of the ends."""
     verdict: str
-    """`always`, `never` or `varies`."""
+    """`always`, `never` or `varies`, where both profiles agree; else `varies`."""
+    verdicts: Mapping[str, str]
+    """The same by profile."""
+    finds: str | None
+    """In words; None where it varies by both."""
     help: str
     """What would make it cheaper."""
 
@@ -78,6 +82,8 @@ def summarise_costs(path: str, spots: Iterable[Hotspot]) -> Mapping[str, list[Co
                 spot.cost.most_surfaces,
                 spot.cost.pairs,
                 spot.verdict.value,
+                {engine.value: verdict.value for engine, verdict in spot.verdicts.items()},
+                spot.finds,
                 spot.help,
             )
         )

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
-from jktools.facts.colour_effects import View, constant_effects, hidden, palettes
+from jktools.facts.colour_effects import VIEWS, View, constant_effects, hidden, palettes
 from jktools.linter.hotspots import place_of, subject_of
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
@@ -76,6 +76,14 @@ def _tell(verdicts: Mapping[View, str | None]) -> str:
     told: dict[str | None, list[str]] = {}
     for view, colour in verdicts.items():
         told.setdefault(colour, []).append(view.title)
-    hides = [f"{colour} by {' and '.join(titles)}" for colour, titles in told.items() if colour is not None]
-    rest = [f"not by {' and '.join(titles)}" for colour, titles in told.items() if colour is None]
+    hides = [f"{colour} by {_names(titles)}" for colour, titles in told.items() if colour is not None]
+    rest = [f"not by {_names(titles)}" for colour, titles in told.items() if colour is None]
     return f"turns all that is seen {', '.join([*hides, *rest])}"
+
+
+def _names(titles: Sequence[str]) -> str:
+    """The titles of views; that of both ways to draw of the decompiled engine is its own."""
+    hardware, software = VIEWS[1].title, VIEWS[2].title
+    if hardware in titles and software in titles:
+        titles = [title for title in titles if title not in (hardware, software)] + ["the decompiled engine"]
+    return " and ".join(titles)

@@ -36,7 +36,7 @@ def edge_over_nothing(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         walkplayer none type=player move=physics size=.065 height=.12 physflags=0x4a4f
     """
     for ledges in facts.player_ledges:
-        open_below = (ledges.kind == Kind.NONE) & (ledges.below < 0) & ~ledges.narrow
+        open_below = ledges.of_level & (ledges.kind == Kind.NONE) & (ledges.below < 0) & ~ledges.narrow
         lengths: dict[int, float] = defaultdict(float)
         for row in np.flatnonzero(open_below).tolist():
             lengths[int(ledges.surface[row])] += float(ledges.length[row])

@@ -57,7 +57,7 @@ def floor_flag_missing(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     for ledges in facts.player_ledges:
         flush = (np.abs(ledges.drop_start) <= FLUSH) & (np.abs(ledges.drop_end) <= FLUSH)
         along: dict[int, dict[int, float]] = defaultdict(lambda: defaultdict(float))
-        for row in np.flatnonzero(flush & (ledges.kind == Kind.NONE) & (ledges.below >= 0)).tolist():
+        for row in np.flatnonzero(flush & ledges.of_level & (ledges.kind == Kind.NONE) & (ledges.below >= 0)).tolist():
             along[int(ledges.below[row])][int(ledges.surface[row])] += float(ledges.length[row])
         for index in sorted(set(along) - reported):
             floors = [floor for floor, length in sorted(along[index].items()) if length >= SHORTEST]

@@ -12,6 +12,8 @@ from jktools.facts.motion import FPS, body_of, is_body
 from jktools.facts.own_line import own_origin, templates_and_things
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
+from jktools.model.resources import Kind
+from jktools.syntax.assets.small import AIClass
 
 DECIDING = ("staticdrag", "maxthrust", "surfdrag", "aiclass", "physflags", "type", "move")
 STICKS = PhysicsFlag.FLOOR_STICK | PhysicsFlag.WALL_STICK
@@ -25,7 +27,8 @@ def thrust_below_static_drag(level: Level, facts: LevelFacts) -> Iterator[Findin
     A body on the floor that does not thrust stops dead as soon as it is slower than its `staticdrag`. A player thrusts
     while a key is held, and is spared; an AI does not: it adds `maxthrust` x frame time x 2 to the speed at most, and
     the decompiled engine takes that away again before the body moves. So at 50 frames a second an actor with
-    `staticdrag=0.3` and `maxthrust=2` never moves, but at 10 it does. The game's own actors have no `staticdrag`.
+    `staticdrag=0.3` and `maxthrust=2` never moves, but at 10 it does. The game's own actors have no `staticdrag`. An AI
+    file at hand that lists no instincts moves nobody, and is left out.
 
     ## Bad
         World templates 4
@@ -37,7 +40,8 @@ def thrust_below_static_drag(level: Level, facts: LevelFacts) -> Iterator[Findin
     """
     for held in templates_and_things(level):
         place = own_origin(held, *DECIDING)
-        if place is None or not is_body(held) or held.type == "player" or held.name_in("aiclass") is None:
+        ai = held.name_in("aiclass")
+        if place is None or not is_body(held) or held.type == "player" or ai is None or _is_idle(level, ai):
             continue
         body = body_of(held)
         push = body.maxthrust * MOST_AI_SPEED / FPS
@@ -51,3 +55,8 @@ def thrust_below_static_drag(level: Level, facts: LevelFacts) -> Iterator[Findin
                 f"{body.staticdrag * FPS / MOST_AI_SPEED:.6g}",
                 held.owner.subject,
             )
+
+
+def _is_idle(level: Level, ai: str) -> bool:
+    found = level.resources.asset(Kind.AI_CLASS, ai)
+    return isinstance(found, AIClass) and not found.instincts
