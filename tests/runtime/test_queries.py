@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import platform
+import re
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,7 +17,7 @@ from benchmarks.runtime_queries import ask, differing
 from jktools.compiler import CompiledLevel, CompileSettings, compile_level
 from jktools.facts.ledges import Kind
 from jktools.model import Level
-from tests.runtime.compiler import FLATBUFFERS
+from tests.runtime.compiler import FLATBUFFERS, compiler
 from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
 
 SMITHDEV = (ROOT / "fixtures/smithdev/level/jkl/smithdev.jkl").read_bytes()
@@ -171,3 +173,33 @@ def test_cmake_builds_the_sample(programs: Path, tmp_path: Path) -> None:
         "usage: jklb_query"
         in subprocess.run([folder / "jklb_query", "--help"], capture_output=True, text=True, check=True).stdout
     )
+
+
+def test_the_code_of_the_readme_compiles(programs: Path) -> None:
+    readme = (ROOT / "runtime/README.md").read_text()
+    block = re.search(r"^```cpp\n(#include .*?)\n(.*?)^```", readme, re.DOTALL | re.MULTILINE)
+    assert block
+    include, code = block.groups()
+    source = programs / "readme.cpp"
+    source.write_text(f"{include}\nvoid report(const std::string&);\nvoid shown() {{\n{code}\n}}\n")
+    command = [compiler(), "-std=c++17", "-fsyntax-only", "-I", ROOT / "runtime", "-isystem", FLATBUFFERS, source]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_commands_of_the_readme_are_those_that_are_tried_here() -> None:
+    readme = (ROOT / "runtime/README.md").read_text()
+    assert "c++ -std=c++17 -O2 -I runtime -isystem .venv/include runtime/sample/jklb_query.cpp -o jklb_query" in readme
+    assert "cmake -S runtime/sample -B build/sample -DFLATBUFFERS=" in readme
+
+
+@pytest.mark.parametrize("flag", ["-ffast-math", "-mfpmath=387"])
+def test_a_compiler_that_breaks_exactness_is_refused(flag: str, programs: Path) -> None:
+    if platform.machine() != "x86_64":
+        pytest.skip("flags of x86")
+    source = programs / "exact.cpp"
+    source.write_text('#include "jklb/exact.hpp"\n')
+    command = [compiler(), "-std=c++17", flag, "-fsyntax-only", "-I", ROOT / "runtime", source]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode != 0
+    assert "jklb" in done.stderr
