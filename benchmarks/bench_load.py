@@ -1,13 +1,12 @@
 """Opening a compiled level against reading its JKL, as ratios.
 
-`python -m benchmarks.bench_load` prints a row a level: medians of runs that alternate, so that a machine that drifts
-hits all alike. `native` is what the C++ reader does: map the file, verify it, check every index, find every array.
-`Python` is the same through `open_compiled`, with a numpy array made of every vector.
+`python -m benchmarks.bench_load` prints a row a level: medians of runs that alternate by fives, so that a machine that
+drifts hits all alike. `native` is what the C++ reader does: map the file, verify it, check every index, find every
+array. `Python` is the same through `open_compiled`, with a numpy array made of every vector.
 """
 
 from __future__ import annotations
 
-import mmap
 import statistics
 import tempfile
 import time
@@ -19,19 +18,20 @@ import pytest
 
 from jktools._native_file import level_fault, level_parts  # noqa: TID251 (measured alone)
 from jktools.compiler import CompileError, compile_level, open_compiled
+from jktools.compiler.reader import mapping
 from jktools.compiler.slots import wanted
 from jktools.model import Level
 from jktools.source import Source
 from jktools.syntax.jkl import read
 from tests.support.levels import CORPUS, corpus_files
 
-RUNS = 25
+ROUNDS, RUNS = 5, 5
 GOAL = 100
 
 
 def native(path: Path) -> int:
     """Map a file, verify and check it, and find every array; how many columns there are."""
-    with path.open("rb") as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as mapped:
+    with mapping(path) as mapped:
         octets = np.frombuffer(mapped, np.uint8)
         assert not level_fault(octets)
         found = len(level_parts(octets, wanted())[1])
@@ -81,9 +81,9 @@ def main() -> None:
                 "native": lambda: native(path), "Python": lambda: viewed(path),
             }  # fmt: skip
             times: dict[str, list[float]] = {way: [] for way in ways}
-            for _ in range(RUNS):
+            for _ in range(ROUNDS):
                 for way, run in ways.items():
-                    times[way].append(seconds(run))
+                    times[way] += [seconds(run) for _ in range(RUNS)]
             medians = {way: 1000 * statistics.median(each) for way, each in times.items()}
             row = f"{name[-32:]:<32}{medians['JKL']:>10.2f}"
             for way, told in ratios.items():

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import errno
 import mmap
+import os
 import re
+import stat
 from collections.abc import Mapping
 from functools import cache, cached_property
 from itertools import pairwise
@@ -431,17 +434,26 @@ def _of_table(table: Any, name: str, column: Column) -> npt.NDArray[Any]:
     return Stored(values, index, packed.Count(), packed.First()).array(column)
 
 
+def mapping(path: str | Path) -> mmap.mmap:
+    """Map a file for reading. Raises OSError, and ValueError for an empty file."""
+    descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0))
+    try:
+        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        return mmap.mmap(descriptor, 0, access=mmap.ACCESS_READ)
+    finally:
+        os.close(descriptor)
+
+
 def open_compiled(path: str | Path, verify: bool = False) -> CompiledLevel:
     """Map a compiled level. Raises CompiledFileError with one sentence on what is wrong.
 
     Always checks that no offset and no index leads out of the file; `verify` compares the checksum too.
     """
-    file = Path(path)
     try:
-        with file.open("rb") as stream:
-            if file.stat().st_size == 0:
-                raise CompiledFileError(f"cannot read {path}: the file is empty")
-            data = memoryview(mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ))
+        data = memoryview(mapping(path))
+    except ValueError as error:
+        raise CompiledFileError(f"cannot read {path}: the file is empty") from error
     except OSError as error:
         raise CompiledFileError(f"cannot read {path}: {(error.strerror or str(error)).lower()}") from error
     return CompiledLevel(data, str(path), verify=verify)
