@@ -17,12 +17,11 @@ from benchmarks.runtime_queries import ask, differing
 from jktools.compiler import CompiledLevel, CompileSettings, compile_level
 from jktools.facts.ledges import Kind
 from jktools.model import Level
-from jktools.source import resolve
 from tests.runtime.compiler import FLATBUFFERS, compiler
 from tests.support.halls import halls
 from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
 
-SMITHDEV = str(ROOT / "fixtures/smithdev/smithdev.gob!jkl/smithdev.jkl")
+SMITHDEV = (ROOT / "fixtures/smithdev/level/jkl/smithdev.jkl").read_bytes()
 CORPUS_LEVELS = ("masspack.gob!jkl/lagoon.jkl", "namekwaters.jkl", "treeofmight2.jkl")
 
 
@@ -56,7 +55,7 @@ def test_every_answer_is_equal(name: str, level: Level, accuracy: str, jklb_quer
 
 
 def test_every_answer_is_equal_on_the_test_level_of_the_document(jklb_query: Path, tmp_path: Path) -> None:
-    level = level_of(resolve(SMITHDEV).read().data)
+    level = level_of(SMITHDEV)
     assert_equal(jklb_query, *compiled_at(tmp_path, level), level, 6000)
 
 
