@@ -1,8 +1,8 @@
 """What the C++ runtime costs over the corpus: `python -m benchmarks.bench_runtime`.
 
 For each level: opening a compiled file, checking it and answering one query, in a fresh process (with the file's pages
-dropped from the page cache, and with them there) and again and again in one; then sight, a thread each, against Python's
-native batch in seconds of processor. Medians over the levels, and the worst.
+dropped from the page cache, and with them there) and again and again in one; then sight, a thread each, against
+Python's native batch, by seconds of processor. Medians over the levels, and the worst.
 """
 
 from __future__ import annotations
@@ -49,8 +49,10 @@ def main() -> None:
     options = arguments.parse_args()
     rng = np.random.default_rng(1997)
     kinds = {**SETS, "edges": through_edges}
-    taken = {name: [] for name in ("fresh, not in the cache", "fresh", "again: open", "again: first answer")}
-    runtime, python = {name: 0.0 for name in kinds}, {name: 0.0 for name in kinds}
+    taken: dict[str, list[float]] = {
+        name: [] for name in ("fresh, not in the cache", "fresh", "again: open", "again: first answer")
+    }
+    runtime, python = dict.fromkeys(kinds, 0.0), dict.fromkeys(kinds, 0.0)
     count = 0
     with tempfile.TemporaryDirectory(dir=".") as folder:  # on a disk: a file system in memory has no page cache
         program = built("runtime/sample/jklb_query.cpp", Path(folder, "jklb_query"))

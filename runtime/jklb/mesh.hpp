@@ -100,8 +100,8 @@ private:
     }
 
     Box box_around(Index surface) const {
-        constexpr double far = std::numeric_limits<double>::infinity();
-        Box box{{far, far, far}, {-far, -far, -far}};
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
         for (Index i = 0; i < corners(surface); ++i)
             for (int k = 0; k < 3; ++k) {
                 box.low[k] = std::min(box.low[k], corner(surface, i)[k]);

@@ -175,20 +175,20 @@ inline bool odd(double x) {
     return bits & 1;
 }
 
-// The double nearest to above / fall, ties to even: `near` moved until neither neighbour is nearer. Positive numbers.
+// The double nearest to above / fall, ties to even: `guess` moved until neither neighbour is nearer. Positive numbers.
 template <typename Number>
-double nearest(const Fraction<Number>& t, double near) {
+double nearest(const Fraction<Number>& t, double guess) {
     const Number twice = t.above + t.above;
     for (bool up : {true, false})
         for (;;) {
-            const double other = near == 0 && !up ? near : next(near, up);
-            if (other == near) break;
+            const double other = guess == 0 && !up ? guess : next(guess, up);
+            if (other == guess) break;
             // Whether above / fall lies beyond the middle between the two.
-            const int beyond = (twice - Number::difference(near, -other) * t.fall).sign() * (up ? 1 : -1);
-            if (beyond < 0 || (beyond == 0 && !odd(near))) break;
-            near = other;
+            const int beyond = (twice - Number::difference(guess, -other) * t.fall).sign() * (up ? 1 : -1);
+            if (beyond < 0 || (beyond == 0 && !odd(guess))) break;
+            guess = other;
         }
-    return near;
+    return guess;
 }
 
 }  // namespace detail
@@ -217,8 +217,8 @@ inline double depth(const Meeting& met, const Way& way) {
     if (met.above.sign == 0) return 0;
     if (detail::fit(t, way)) {
         const detail::Fraction<Expansion> exact(t, way);
-        const double near = exact.above.about() / exact.fall.about();
-        if (near > 0x1p-600) return detail::nearest(exact, near);  // its last bit times `fall` does not underflow
+        const double guess = exact.above.about() / exact.fall.about();
+        if (guess > 0x1p-600) return detail::nearest(exact, guess);  // its last bit times `fall` does not underflow
     }
     const detail::Fraction<Dyadic> exact(t, way);
     return detail::nearest(exact, rough_quotient(exact.above, exact.fall));
