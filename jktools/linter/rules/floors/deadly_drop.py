@@ -14,7 +14,6 @@ from jktools.facts.ledges import Kind
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
-
 SHORTEST = 0.05
 """JKU: shorter pieces of an edge are not what bodies fall from."""
 
