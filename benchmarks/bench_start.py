@@ -17,7 +17,7 @@ RUNS = 15
 
 
 def test_start() -> None:
-    level = SMALL if SMALL.exists() else ROOT / "fixtures/smithdev/smithdev.jkl"
+    level = SMALL if SMALL.exists() else ROOT / "fixtures/smithdev/level/jkl/smithdev.jkl"
     jktools = str(Path(sys.executable).parent / "jktools")
     commands = {
         "python3 -c pass": [sys.executable, "-c", "pass"],

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from jktools.diagnostics import Diagnostic as Diagnostic
     from jktools.diagnostics import Severity as Severity
     from jktools.facts.fall import drop as drop
-    from jktools.facts.scene import sight as sight
+    from jktools.facts.sights import sight as sight
     from jktools.facts.sights import sights as sights
     from jktools.geometry import SectorMesh as SectorMesh
     from jktools.model import Level as Level
@@ -48,7 +48,7 @@ _PUBLIC = {
     "load": ("jktools.session", "load"),
     "load_script": ("jktools.session", "load_script"),
     "mesh": ("jktools.session", "mesh"),
-    "sight": ("jktools.facts.scene", "sight"),
+    "sight": ("jktools.facts.sights", "sight"),
     "sights": ("jktools.facts.sights", "sights"),
     "Script": ("jktools.syntax.cog", "Script"),
     "SectorMesh": ("jktools.geometry", "SectorMesh"),

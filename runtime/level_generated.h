@@ -15,6 +15,9 @@ static_assert(FLATBUFFERS_VERSION_MAJOR == 25 &&
 
 namespace jktools {
 
+struct Packed;
+struct PackedBuilder;
+
 struct Input;
 struct InputBuilder;
 
@@ -71,6 +74,243 @@ struct BasinsBuilder;
 
 struct Level;
 struct LevelBuilder;
+
+/// A column in a smaller form than its plain vector: `x_packed` is the column `x`. The rows are, in this order of
+/// reading: the rows of the one vector of values that is there; with a step, (origin + number) * step of each; with an
+/// index, of each row the one that the index names; with a count, that row as often. Without values, the whole numbers
+/// from `first` on. Values are those of the plain vector, bit for bit. Since 1.2.
+struct Packed FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef PackedBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_I8 = 4,
+    VT_U8 = 6,
+    VT_I16 = 8,
+    VT_U16 = 10,
+    VT_I32 = 12,
+    VT_U32 = 14,
+    VT_F32 = 16,
+    VT_F64 = 18,
+    VT_INDEX8 = 20,
+    VT_INDEX16 = 22,
+    VT_COUNT = 24,
+    VT_FIRST = 26,
+    VT_STEP = 28,
+    VT_ORIGIN = 30
+  };
+  /// The values of as many rows as there are, each of the column's width: one of these vectors.
+  const ::flatbuffers::Vector<int8_t> *i8() const {
+    return GetPointer<const ::flatbuffers::Vector<int8_t> *>(VT_I8);
+  }
+  const ::flatbuffers::Vector<uint8_t> *u8() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_U8);
+  }
+  const ::flatbuffers::Vector<int16_t> *i16() const {
+    return GetPointer<const ::flatbuffers::Vector<int16_t> *>(VT_I16);
+  }
+  const ::flatbuffers::Vector<uint16_t> *u16() const {
+    return GetPointer<const ::flatbuffers::Vector<uint16_t> *>(VT_U16);
+  }
+  const ::flatbuffers::Vector<int32_t> *i32() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_I32);
+  }
+  const ::flatbuffers::Vector<uint32_t> *u32() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_U32);
+  }
+  const ::flatbuffers::Vector<float> *f32() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_F32);
+  }
+  const ::flatbuffers::Vector<double> *f64() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_F64);
+  }
+  /// Which row of the values each row of the column is; one of these vectors, or none where the values are the column.
+  const ::flatbuffers::Vector<uint8_t> *index8() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_INDEX8);
+  }
+  const ::flatbuffers::Vector<uint16_t> *index16() const {
+    return GetPointer<const ::flatbuffers::Vector<uint16_t> *>(VT_INDEX16);
+  }
+  /// Where it is not 0: the one row of values stands for so many, or so many numbers follow from `first` on.
+  uint32_t count() const {
+    return GetField<uint32_t>(VT_COUNT, 0);
+  }
+  int32_t first() const {
+    return GetField<int32_t>(VT_FIRST, 0);
+  }
+  /// Where it is not 0, a power of two: the values count steps from the origin (`accuracy` fast).
+  double step() const {
+    return GetField<double>(VT_STEP, 0.0);
+  }
+  /// One for each number of a row, in steps; 0 where there is none.
+  const ::flatbuffers::Vector<int32_t> *origin() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ORIGIN);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_I8) &&
+           verifier.VerifyVector(i8()) &&
+           VerifyOffset(verifier, VT_U8) &&
+           verifier.VerifyVector(u8()) &&
+           VerifyOffset(verifier, VT_I16) &&
+           verifier.VerifyVector(i16()) &&
+           VerifyOffset(verifier, VT_U16) &&
+           verifier.VerifyVector(u16()) &&
+           VerifyOffset(verifier, VT_I32) &&
+           verifier.VerifyVector(i32()) &&
+           VerifyOffset(verifier, VT_U32) &&
+           verifier.VerifyVector(u32()) &&
+           VerifyOffset(verifier, VT_F32) &&
+           verifier.VerifyVector(f32()) &&
+           VerifyOffset(verifier, VT_F64) &&
+           verifier.VerifyVector(f64()) &&
+           VerifyOffset(verifier, VT_INDEX8) &&
+           verifier.VerifyVector(index8()) &&
+           VerifyOffset(verifier, VT_INDEX16) &&
+           verifier.VerifyVector(index16()) &&
+           VerifyField<uint32_t>(verifier, VT_COUNT, 4) &&
+           VerifyField<int32_t>(verifier, VT_FIRST, 4) &&
+           VerifyField<double>(verifier, VT_STEP, 8) &&
+           VerifyOffset(verifier, VT_ORIGIN) &&
+           verifier.VerifyVector(origin()) &&
+           verifier.EndTable();
+  }
+};
+
+struct PackedBuilder {
+  typedef Packed Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_i8(::flatbuffers::Offset<::flatbuffers::Vector<int8_t>> i8) {
+    fbb_.AddOffset(Packed::VT_I8, i8);
+  }
+  void add_u8(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> u8) {
+    fbb_.AddOffset(Packed::VT_U8, u8);
+  }
+  void add_i16(::flatbuffers::Offset<::flatbuffers::Vector<int16_t>> i16) {
+    fbb_.AddOffset(Packed::VT_I16, i16);
+  }
+  void add_u16(::flatbuffers::Offset<::flatbuffers::Vector<uint16_t>> u16) {
+    fbb_.AddOffset(Packed::VT_U16, u16);
+  }
+  void add_i32(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> i32) {
+    fbb_.AddOffset(Packed::VT_I32, i32);
+  }
+  void add_u32(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> u32) {
+    fbb_.AddOffset(Packed::VT_U32, u32);
+  }
+  void add_f32(::flatbuffers::Offset<::flatbuffers::Vector<float>> f32) {
+    fbb_.AddOffset(Packed::VT_F32, f32);
+  }
+  void add_f64(::flatbuffers::Offset<::flatbuffers::Vector<double>> f64) {
+    fbb_.AddOffset(Packed::VT_F64, f64);
+  }
+  void add_index8(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> index8) {
+    fbb_.AddOffset(Packed::VT_INDEX8, index8);
+  }
+  void add_index16(::flatbuffers::Offset<::flatbuffers::Vector<uint16_t>> index16) {
+    fbb_.AddOffset(Packed::VT_INDEX16, index16);
+  }
+  void add_count(uint32_t count) {
+    fbb_.AddElement<uint32_t>(Packed::VT_COUNT, count, 0);
+  }
+  void add_first(int32_t first) {
+    fbb_.AddElement<int32_t>(Packed::VT_FIRST, first, 0);
+  }
+  void add_step(double step) {
+    fbb_.AddElement<double>(Packed::VT_STEP, step, 0.0);
+  }
+  void add_origin(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> origin) {
+    fbb_.AddOffset(Packed::VT_ORIGIN, origin);
+  }
+  explicit PackedBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Packed> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Packed>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Packed> CreatePacked(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int8_t>> i8 = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> u8 = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int16_t>> i16 = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint16_t>> u16 = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> i32 = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> u32 = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> f32 = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> f64 = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> index8 = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint16_t>> index16 = 0,
+    uint32_t count = 0,
+    int32_t first = 0,
+    double step = 0.0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> origin = 0) {
+  PackedBuilder builder_(_fbb);
+  builder_.add_step(step);
+  builder_.add_origin(origin);
+  builder_.add_first(first);
+  builder_.add_count(count);
+  builder_.add_index16(index16);
+  builder_.add_index8(index8);
+  builder_.add_f64(f64);
+  builder_.add_f32(f32);
+  builder_.add_u32(u32);
+  builder_.add_i32(i32);
+  builder_.add_u16(u16);
+  builder_.add_i16(i16);
+  builder_.add_u8(u8);
+  builder_.add_i8(i8);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Packed> CreatePackedDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<int8_t> *i8 = nullptr,
+    const std::vector<uint8_t> *u8 = nullptr,
+    const std::vector<int16_t> *i16 = nullptr,
+    const std::vector<uint16_t> *u16 = nullptr,
+    const std::vector<int32_t> *i32 = nullptr,
+    const std::vector<uint32_t> *u32 = nullptr,
+    const std::vector<float> *f32 = nullptr,
+    const std::vector<double> *f64 = nullptr,
+    const std::vector<uint8_t> *index8 = nullptr,
+    const std::vector<uint16_t> *index16 = nullptr,
+    uint32_t count = 0,
+    int32_t first = 0,
+    double step = 0.0,
+    const std::vector<int32_t> *origin = nullptr) {
+  auto i8__ = i8 ? _fbb.CreateVector<int8_t>(*i8) : 0;
+  auto u8__ = u8 ? _fbb.CreateVector<uint8_t>(*u8) : 0;
+  auto i16__ = i16 ? _fbb.CreateVector<int16_t>(*i16) : 0;
+  auto u16__ = u16 ? _fbb.CreateVector<uint16_t>(*u16) : 0;
+  auto i32__ = i32 ? _fbb.CreateVector<int32_t>(*i32) : 0;
+  auto u32__ = u32 ? _fbb.CreateVector<uint32_t>(*u32) : 0;
+  auto f32__ = f32 ? _fbb.CreateVector<float>(*f32) : 0;
+  auto f64__ = f64 ? _fbb.CreateVector<double>(*f64) : 0;
+  auto index8__ = index8 ? _fbb.CreateVector<uint8_t>(*index8) : 0;
+  auto index16__ = index16 ? _fbb.CreateVector<uint16_t>(*index16) : 0;
+  auto origin__ = origin ? _fbb.CreateVector<int32_t>(*origin) : 0;
+  return jktools::CreatePacked(
+      _fbb,
+      i8__,
+      u8__,
+      i16__,
+      u16__,
+      i32__,
+      u32__,
+      f32__,
+      f64__,
+      index8__,
+      index16__,
+      count,
+      first,
+      step,
+      origin__);
+}
 
 /// One file that the level was compiled from.
 struct Input FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
@@ -149,7 +389,10 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
     VT_GAME = 4,
     VT_ENGINE = 6,
-    VT_ACCURACY = 8
+    VT_ACCURACY = 8,
+    VT_CUT_ANYWAY = 10,
+    VT_ONLY = 12,
+    VT_SKIP = 14
   };
   const ::flatbuffers::String *game() const {
     return GetPointer<const ::flatbuffers::String *>(VT_GAME);
@@ -160,6 +403,18 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::String *accuracy() const {
     return GetPointer<const ::flatbuffers::String *>(VT_ACCURACY);
   }
+  /// Whether templates and names were left out that nothing is known to reach. Since 1.2.
+  bool cut_anyway() const {
+    return GetField<uint8_t>(VT_CUT_ANYWAY, 0) != 0;
+  }
+  /// The passes that alone were asked for, sorted; none for all. Since 1.2.
+  const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *only() const {
+    return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_ONLY);
+  }
+  /// The passes that were not to run, sorted. Since 1.2.
+  const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *skip() const {
+    return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_SKIP);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -169,6 +424,13 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyString(engine()) &&
            VerifyOffsetRequired(verifier, VT_ACCURACY) &&
            verifier.VerifyString(accuracy()) &&
+           VerifyField<uint8_t>(verifier, VT_CUT_ANYWAY, 1) &&
+           VerifyOffset(verifier, VT_ONLY) &&
+           verifier.VerifyVector(only()) &&
+           verifier.VerifyVectorOfStrings(only()) &&
+           VerifyOffset(verifier, VT_SKIP) &&
+           verifier.VerifyVector(skip()) &&
+           verifier.VerifyVectorOfStrings(skip()) &&
            verifier.EndTable();
   }
 };
@@ -185,6 +447,15 @@ struct SettingsBuilder {
   }
   void add_accuracy(::flatbuffers::Offset<::flatbuffers::String> accuracy) {
     fbb_.AddOffset(Settings::VT_ACCURACY, accuracy);
+  }
+  void add_cut_anyway(bool cut_anyway) {
+    fbb_.AddElement<uint8_t>(Settings::VT_CUT_ANYWAY, static_cast<uint8_t>(cut_anyway), 0);
+  }
+  void add_only(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> only) {
+    fbb_.AddOffset(Settings::VT_ONLY, only);
+  }
+  void add_skip(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> skip) {
+    fbb_.AddOffset(Settings::VT_SKIP, skip);
   }
   explicit SettingsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
@@ -204,11 +475,17 @@ inline ::flatbuffers::Offset<Settings> CreateSettings(
     ::flatbuffers::FlatBufferBuilder &_fbb,
     ::flatbuffers::Offset<::flatbuffers::String> game = 0,
     ::flatbuffers::Offset<::flatbuffers::String> engine = 0,
-    ::flatbuffers::Offset<::flatbuffers::String> accuracy = 0) {
+    ::flatbuffers::Offset<::flatbuffers::String> accuracy = 0,
+    bool cut_anyway = false,
+    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> only = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> skip = 0) {
   SettingsBuilder builder_(_fbb);
+  builder_.add_skip(skip);
+  builder_.add_only(only);
   builder_.add_accuracy(accuracy);
   builder_.add_engine(engine);
   builder_.add_game(game);
+  builder_.add_cut_anyway(cut_anyway);
   return builder_.Finish();
 }
 
@@ -216,15 +493,23 @@ inline ::flatbuffers::Offset<Settings> CreateSettingsDirect(
     ::flatbuffers::FlatBufferBuilder &_fbb,
     const char *game = nullptr,
     const char *engine = nullptr,
-    const char *accuracy = nullptr) {
+    const char *accuracy = nullptr,
+    bool cut_anyway = false,
+    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *only = nullptr,
+    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *skip = nullptr) {
   auto game__ = game ? _fbb.CreateString(game) : 0;
   auto engine__ = engine ? _fbb.CreateString(engine) : 0;
   auto accuracy__ = accuracy ? _fbb.CreateString(accuracy) : 0;
+  auto only__ = only ? _fbb.CreateVector<::flatbuffers::Offset<::flatbuffers::String>>(*only) : 0;
+  auto skip__ = skip ? _fbb.CreateVector<::flatbuffers::Offset<::flatbuffers::String>>(*skip) : 0;
   return jktools::CreateSettings(
       _fbb,
       game__,
       engine__,
-      accuracy__);
+      accuracy__,
+      cut_anyway,
+      only__,
+      skip__);
 }
 
 /// Whether a pass ran, or why the scene did not need it.
@@ -499,7 +784,17 @@ struct Resources FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_KEYFRAMES = 16,
     VT_ANIMCLASSES = 18,
     VT_SOUNDCLASSES = 20,
-    VT_COGSCRIPTS = 22
+    VT_COGSCRIPTS = 22,
+    VT_SOUNDS_PACKED = 24,
+    VT_MATERIALS_PACKED = 26,
+    VT_COLORMAPS_PACKED = 28,
+    VT_AICLASSES_PACKED = 30,
+    VT_MODELS_PACKED = 32,
+    VT_SPRITES_PACKED = 34,
+    VT_KEYFRAMES_PACKED = 36,
+    VT_ANIMCLASSES_PACKED = 38,
+    VT_SOUNDCLASSES_PACKED = 40,
+    VT_COGSCRIPTS_PACKED = 42
   };
   const ::flatbuffers::Vector<uint32_t> *sounds() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SOUNDS);
@@ -531,6 +826,36 @@ struct Resources FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *cogscripts() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_COGSCRIPTS);
   }
+  const jktools::Packed *sounds_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SOUNDS_PACKED);
+  }
+  const jktools::Packed *materials_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MATERIALS_PACKED);
+  }
+  const jktools::Packed *colormaps_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_COLORMAPS_PACKED);
+  }
+  const jktools::Packed *aiclasses_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_AICLASSES_PACKED);
+  }
+  const jktools::Packed *models_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MODELS_PACKED);
+  }
+  const jktools::Packed *sprites_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SPRITES_PACKED);
+  }
+  const jktools::Packed *keyframes_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_KEYFRAMES_PACKED);
+  }
+  const jktools::Packed *animclasses_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ANIMCLASSES_PACKED);
+  }
+  const jktools::Packed *soundclasses_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SOUNDCLASSES_PACKED);
+  }
+  const jktools::Packed *cogscripts_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_COGSCRIPTS_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -554,6 +879,26 @@ struct Resources FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(soundclasses()) &&
            VerifyOffset(verifier, VT_COGSCRIPTS) &&
            verifier.VerifyVector(cogscripts()) &&
+           VerifyOffset(verifier, VT_SOUNDS_PACKED) &&
+           verifier.VerifyTable(sounds_packed()) &&
+           VerifyOffset(verifier, VT_MATERIALS_PACKED) &&
+           verifier.VerifyTable(materials_packed()) &&
+           VerifyOffset(verifier, VT_COLORMAPS_PACKED) &&
+           verifier.VerifyTable(colormaps_packed()) &&
+           VerifyOffset(verifier, VT_AICLASSES_PACKED) &&
+           verifier.VerifyTable(aiclasses_packed()) &&
+           VerifyOffset(verifier, VT_MODELS_PACKED) &&
+           verifier.VerifyTable(models_packed()) &&
+           VerifyOffset(verifier, VT_SPRITES_PACKED) &&
+           verifier.VerifyTable(sprites_packed()) &&
+           VerifyOffset(verifier, VT_KEYFRAMES_PACKED) &&
+           verifier.VerifyTable(keyframes_packed()) &&
+           VerifyOffset(verifier, VT_ANIMCLASSES_PACKED) &&
+           verifier.VerifyTable(animclasses_packed()) &&
+           VerifyOffset(verifier, VT_SOUNDCLASSES_PACKED) &&
+           verifier.VerifyTable(soundclasses_packed()) &&
+           VerifyOffset(verifier, VT_COGSCRIPTS_PACKED) &&
+           verifier.VerifyTable(cogscripts_packed()) &&
            verifier.EndTable();
   }
 };
@@ -592,6 +937,36 @@ struct ResourcesBuilder {
   void add_cogscripts(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> cogscripts) {
     fbb_.AddOffset(Resources::VT_COGSCRIPTS, cogscripts);
   }
+  void add_sounds_packed(::flatbuffers::Offset<jktools::Packed> sounds_packed) {
+    fbb_.AddOffset(Resources::VT_SOUNDS_PACKED, sounds_packed);
+  }
+  void add_materials_packed(::flatbuffers::Offset<jktools::Packed> materials_packed) {
+    fbb_.AddOffset(Resources::VT_MATERIALS_PACKED, materials_packed);
+  }
+  void add_colormaps_packed(::flatbuffers::Offset<jktools::Packed> colormaps_packed) {
+    fbb_.AddOffset(Resources::VT_COLORMAPS_PACKED, colormaps_packed);
+  }
+  void add_aiclasses_packed(::flatbuffers::Offset<jktools::Packed> aiclasses_packed) {
+    fbb_.AddOffset(Resources::VT_AICLASSES_PACKED, aiclasses_packed);
+  }
+  void add_models_packed(::flatbuffers::Offset<jktools::Packed> models_packed) {
+    fbb_.AddOffset(Resources::VT_MODELS_PACKED, models_packed);
+  }
+  void add_sprites_packed(::flatbuffers::Offset<jktools::Packed> sprites_packed) {
+    fbb_.AddOffset(Resources::VT_SPRITES_PACKED, sprites_packed);
+  }
+  void add_keyframes_packed(::flatbuffers::Offset<jktools::Packed> keyframes_packed) {
+    fbb_.AddOffset(Resources::VT_KEYFRAMES_PACKED, keyframes_packed);
+  }
+  void add_animclasses_packed(::flatbuffers::Offset<jktools::Packed> animclasses_packed) {
+    fbb_.AddOffset(Resources::VT_ANIMCLASSES_PACKED, animclasses_packed);
+  }
+  void add_soundclasses_packed(::flatbuffers::Offset<jktools::Packed> soundclasses_packed) {
+    fbb_.AddOffset(Resources::VT_SOUNDCLASSES_PACKED, soundclasses_packed);
+  }
+  void add_cogscripts_packed(::flatbuffers::Offset<jktools::Packed> cogscripts_packed) {
+    fbb_.AddOffset(Resources::VT_COGSCRIPTS_PACKED, cogscripts_packed);
+  }
   explicit ResourcesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -614,8 +989,28 @@ inline ::flatbuffers::Offset<Resources> CreateResources(
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> keyframes = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> animclasses = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> soundclasses = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> cogscripts = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> cogscripts = 0,
+    ::flatbuffers::Offset<jktools::Packed> sounds_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> materials_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> colormaps_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> aiclasses_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> models_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sprites_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> keyframes_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> animclasses_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> soundclasses_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> cogscripts_packed = 0) {
   ResourcesBuilder builder_(_fbb);
+  builder_.add_cogscripts_packed(cogscripts_packed);
+  builder_.add_soundclasses_packed(soundclasses_packed);
+  builder_.add_animclasses_packed(animclasses_packed);
+  builder_.add_keyframes_packed(keyframes_packed);
+  builder_.add_sprites_packed(sprites_packed);
+  builder_.add_models_packed(models_packed);
+  builder_.add_aiclasses_packed(aiclasses_packed);
+  builder_.add_colormaps_packed(colormaps_packed);
+  builder_.add_materials_packed(materials_packed);
+  builder_.add_sounds_packed(sounds_packed);
   builder_.add_cogscripts(cogscripts);
   builder_.add_soundclasses(soundclasses);
   builder_.add_animclasses(animclasses);
@@ -640,7 +1035,17 @@ inline ::flatbuffers::Offset<Resources> CreateResourcesDirect(
     const std::vector<uint32_t> *keyframes = nullptr,
     const std::vector<uint32_t> *animclasses = nullptr,
     const std::vector<uint32_t> *soundclasses = nullptr,
-    const std::vector<uint32_t> *cogscripts = nullptr) {
+    const std::vector<uint32_t> *cogscripts = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> sounds_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> materials_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> colormaps_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> aiclasses_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> models_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sprites_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> keyframes_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> animclasses_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> soundclasses_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> cogscripts_packed = 0) {
   auto sounds__ = sounds ? _fbb.CreateVector<uint32_t>(*sounds) : 0;
   auto materials__ = materials ? _fbb.CreateVector<uint32_t>(*materials) : 0;
   auto colormaps__ = colormaps ? _fbb.CreateVector<uint32_t>(*colormaps) : 0;
@@ -662,7 +1067,17 @@ inline ::flatbuffers::Offset<Resources> CreateResourcesDirect(
       keyframes__,
       animclasses__,
       soundclasses__,
-      cogscripts__);
+      cogscripts__,
+      sounds_packed,
+      materials_packed,
+      colormaps_packed,
+      aiclasses_packed,
+      models_packed,
+      sprites_packed,
+      keyframes_packed,
+      animclasses_packed,
+      soundclasses_packed,
+      cogscripts_packed);
 }
 
 /// Vertices, adjoins, surfaces and sectors.
@@ -704,7 +1119,43 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_SECTOR_VERTEX_START = 68,
     VT_SECTOR_VERTEX = 70,
     VT_SECTOR_FIRST_SURFACE = 72,
-    VT_SECTOR_SURFACE_COUNT = 74
+    VT_SECTOR_SURFACE_COUNT = 74,
+    VT_VERTICES_PACKED = 76,
+    VT_TEXTURE_VERTICES_PACKED = 78,
+    VT_ADJOIN_FLAGS_PACKED = 80,
+    VT_ADJOIN_MIRROR_PACKED = 82,
+    VT_ADJOIN_DISTANCE_PACKED = 84,
+    VT_ADJOIN_SURFACE_PACKED = 86,
+    VT_SURFACE_MATERIAL_PACKED = 88,
+    VT_SURFACE_FLAGS_PACKED = 90,
+    VT_SURFACE_FACE_FLAGS_PACKED = 92,
+    VT_SURFACE_GEOMETRY_MODE_PACKED = 94,
+    VT_SURFACE_LIGHT_MODE_PACKED = 96,
+    VT_SURFACE_TEXTURE_MODE_PACKED = 98,
+    VT_SURFACE_ADJOIN_PACKED = 100,
+    VT_SURFACE_EXTRA_LIGHT_PACKED = 102,
+    VT_SURFACE_NORMAL_PACKED = 104,
+    VT_SURFACE_SECTOR_PACKED = 106,
+    VT_SURFACE_CORNER_START_PACKED = 108,
+    VT_CORNER_VERTEX_PACKED = 110,
+    VT_CORNER_TEXTURE_VERTEX_PACKED = 112,
+    VT_SURFACE_LIGHT_START_PACKED = 114,
+    VT_CORNER_LIGHT_PACKED = 116,
+    VT_SECTOR_FLAGS_PACKED = 118,
+    VT_SECTOR_AMBIENT_LIGHT_PACKED = 120,
+    VT_SECTOR_EXTRA_LIGHT_PACKED = 122,
+    VT_SECTOR_COLORMAP_PACKED = 124,
+    VT_SECTOR_TINT_PACKED = 126,
+    VT_SECTOR_BOUND_BOX_PACKED = 128,
+    VT_SECTOR_COLLIDE_BOX_PACKED = 130,
+    VT_SECTOR_SOUND_PACKED = 132,
+    VT_SECTOR_SOUND_VOLUME_PACKED = 134,
+    VT_SECTOR_CENTER_PACKED = 136,
+    VT_SECTOR_RADIUS_PACKED = 138,
+    VT_SECTOR_VERTEX_START_PACKED = 140,
+    VT_SECTOR_VERTEX_PACKED = 142,
+    VT_SECTOR_FIRST_SURFACE_PACKED = 144,
+    VT_SECTOR_SURFACE_COUNT_PACKED = 146
   };
   /// x y z of each vertex, float32 as the engine reads it.
   const ::flatbuffers::Vector<float> *vertices() const {
@@ -823,6 +1274,114 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *sector_surface_count() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SECTOR_SURFACE_COUNT);
   }
+  const jktools::Packed *vertices_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VERTICES_PACKED);
+  }
+  const jktools::Packed *texture_vertices_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_TEXTURE_VERTICES_PACKED);
+  }
+  const jktools::Packed *adjoin_flags_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ADJOIN_FLAGS_PACKED);
+  }
+  const jktools::Packed *adjoin_mirror_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ADJOIN_MIRROR_PACKED);
+  }
+  const jktools::Packed *adjoin_distance_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ADJOIN_DISTANCE_PACKED);
+  }
+  const jktools::Packed *adjoin_surface_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ADJOIN_SURFACE_PACKED);
+  }
+  const jktools::Packed *surface_material_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_MATERIAL_PACKED);
+  }
+  const jktools::Packed *surface_flags_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_FLAGS_PACKED);
+  }
+  const jktools::Packed *surface_face_flags_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_FACE_FLAGS_PACKED);
+  }
+  const jktools::Packed *surface_geometry_mode_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_GEOMETRY_MODE_PACKED);
+  }
+  const jktools::Packed *surface_light_mode_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_LIGHT_MODE_PACKED);
+  }
+  const jktools::Packed *surface_texture_mode_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_TEXTURE_MODE_PACKED);
+  }
+  const jktools::Packed *surface_adjoin_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_ADJOIN_PACKED);
+  }
+  const jktools::Packed *surface_extra_light_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_EXTRA_LIGHT_PACKED);
+  }
+  const jktools::Packed *surface_normal_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_NORMAL_PACKED);
+  }
+  const jktools::Packed *surface_sector_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_SECTOR_PACKED);
+  }
+  const jktools::Packed *surface_corner_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_CORNER_START_PACKED);
+  }
+  const jktools::Packed *corner_vertex_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CORNER_VERTEX_PACKED);
+  }
+  const jktools::Packed *corner_texture_vertex_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CORNER_TEXTURE_VERTEX_PACKED);
+  }
+  const jktools::Packed *surface_light_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_LIGHT_START_PACKED);
+  }
+  const jktools::Packed *corner_light_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CORNER_LIGHT_PACKED);
+  }
+  const jktools::Packed *sector_flags_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_FLAGS_PACKED);
+  }
+  const jktools::Packed *sector_ambient_light_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_AMBIENT_LIGHT_PACKED);
+  }
+  const jktools::Packed *sector_extra_light_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_EXTRA_LIGHT_PACKED);
+  }
+  const jktools::Packed *sector_colormap_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_COLORMAP_PACKED);
+  }
+  const jktools::Packed *sector_tint_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_TINT_PACKED);
+  }
+  const jktools::Packed *sector_bound_box_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_BOUND_BOX_PACKED);
+  }
+  const jktools::Packed *sector_collide_box_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_COLLIDE_BOX_PACKED);
+  }
+  const jktools::Packed *sector_sound_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_SOUND_PACKED);
+  }
+  const jktools::Packed *sector_sound_volume_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_SOUND_VOLUME_PACKED);
+  }
+  const jktools::Packed *sector_center_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_CENTER_PACKED);
+  }
+  const jktools::Packed *sector_radius_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_RADIUS_PACKED);
+  }
+  const jktools::Packed *sector_vertex_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_VERTEX_START_PACKED);
+  }
+  const jktools::Packed *sector_vertex_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_VERTEX_PACKED);
+  }
+  const jktools::Packed *sector_first_surface_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_FIRST_SURFACE_PACKED);
+  }
+  const jktools::Packed *sector_surface_count_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_SURFACE_COUNT_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -898,6 +1457,78 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(sector_first_surface()) &&
            VerifyOffset(verifier, VT_SECTOR_SURFACE_COUNT) &&
            verifier.VerifyVector(sector_surface_count()) &&
+           VerifyOffset(verifier, VT_VERTICES_PACKED) &&
+           verifier.VerifyTable(vertices_packed()) &&
+           VerifyOffset(verifier, VT_TEXTURE_VERTICES_PACKED) &&
+           verifier.VerifyTable(texture_vertices_packed()) &&
+           VerifyOffset(verifier, VT_ADJOIN_FLAGS_PACKED) &&
+           verifier.VerifyTable(adjoin_flags_packed()) &&
+           VerifyOffset(verifier, VT_ADJOIN_MIRROR_PACKED) &&
+           verifier.VerifyTable(adjoin_mirror_packed()) &&
+           VerifyOffset(verifier, VT_ADJOIN_DISTANCE_PACKED) &&
+           verifier.VerifyTable(adjoin_distance_packed()) &&
+           VerifyOffset(verifier, VT_ADJOIN_SURFACE_PACKED) &&
+           verifier.VerifyTable(adjoin_surface_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_MATERIAL_PACKED) &&
+           verifier.VerifyTable(surface_material_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_FLAGS_PACKED) &&
+           verifier.VerifyTable(surface_flags_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_FACE_FLAGS_PACKED) &&
+           verifier.VerifyTable(surface_face_flags_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_GEOMETRY_MODE_PACKED) &&
+           verifier.VerifyTable(surface_geometry_mode_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_LIGHT_MODE_PACKED) &&
+           verifier.VerifyTable(surface_light_mode_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_TEXTURE_MODE_PACKED) &&
+           verifier.VerifyTable(surface_texture_mode_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_ADJOIN_PACKED) &&
+           verifier.VerifyTable(surface_adjoin_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_EXTRA_LIGHT_PACKED) &&
+           verifier.VerifyTable(surface_extra_light_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_NORMAL_PACKED) &&
+           verifier.VerifyTable(surface_normal_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_SECTOR_PACKED) &&
+           verifier.VerifyTable(surface_sector_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_CORNER_START_PACKED) &&
+           verifier.VerifyTable(surface_corner_start_packed()) &&
+           VerifyOffset(verifier, VT_CORNER_VERTEX_PACKED) &&
+           verifier.VerifyTable(corner_vertex_packed()) &&
+           VerifyOffset(verifier, VT_CORNER_TEXTURE_VERTEX_PACKED) &&
+           verifier.VerifyTable(corner_texture_vertex_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_LIGHT_START_PACKED) &&
+           verifier.VerifyTable(surface_light_start_packed()) &&
+           VerifyOffset(verifier, VT_CORNER_LIGHT_PACKED) &&
+           verifier.VerifyTable(corner_light_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_FLAGS_PACKED) &&
+           verifier.VerifyTable(sector_flags_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_AMBIENT_LIGHT_PACKED) &&
+           verifier.VerifyTable(sector_ambient_light_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_EXTRA_LIGHT_PACKED) &&
+           verifier.VerifyTable(sector_extra_light_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_COLORMAP_PACKED) &&
+           verifier.VerifyTable(sector_colormap_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_TINT_PACKED) &&
+           verifier.VerifyTable(sector_tint_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_BOUND_BOX_PACKED) &&
+           verifier.VerifyTable(sector_bound_box_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_COLLIDE_BOX_PACKED) &&
+           verifier.VerifyTable(sector_collide_box_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_SOUND_PACKED) &&
+           verifier.VerifyTable(sector_sound_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_SOUND_VOLUME_PACKED) &&
+           verifier.VerifyTable(sector_sound_volume_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_CENTER_PACKED) &&
+           verifier.VerifyTable(sector_center_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_RADIUS_PACKED) &&
+           verifier.VerifyTable(sector_radius_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_VERTEX_START_PACKED) &&
+           verifier.VerifyTable(sector_vertex_start_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_VERTEX_PACKED) &&
+           verifier.VerifyTable(sector_vertex_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_FIRST_SURFACE_PACKED) &&
+           verifier.VerifyTable(sector_first_surface_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_SURFACE_COUNT_PACKED) &&
+           verifier.VerifyTable(sector_surface_count_packed()) &&
            verifier.EndTable();
   }
 };
@@ -1014,6 +1645,114 @@ struct GeometryBuilder {
   void add_sector_surface_count(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> sector_surface_count) {
     fbb_.AddOffset(Geometry::VT_SECTOR_SURFACE_COUNT, sector_surface_count);
   }
+  void add_vertices_packed(::flatbuffers::Offset<jktools::Packed> vertices_packed) {
+    fbb_.AddOffset(Geometry::VT_VERTICES_PACKED, vertices_packed);
+  }
+  void add_texture_vertices_packed(::flatbuffers::Offset<jktools::Packed> texture_vertices_packed) {
+    fbb_.AddOffset(Geometry::VT_TEXTURE_VERTICES_PACKED, texture_vertices_packed);
+  }
+  void add_adjoin_flags_packed(::flatbuffers::Offset<jktools::Packed> adjoin_flags_packed) {
+    fbb_.AddOffset(Geometry::VT_ADJOIN_FLAGS_PACKED, adjoin_flags_packed);
+  }
+  void add_adjoin_mirror_packed(::flatbuffers::Offset<jktools::Packed> adjoin_mirror_packed) {
+    fbb_.AddOffset(Geometry::VT_ADJOIN_MIRROR_PACKED, adjoin_mirror_packed);
+  }
+  void add_adjoin_distance_packed(::flatbuffers::Offset<jktools::Packed> adjoin_distance_packed) {
+    fbb_.AddOffset(Geometry::VT_ADJOIN_DISTANCE_PACKED, adjoin_distance_packed);
+  }
+  void add_adjoin_surface_packed(::flatbuffers::Offset<jktools::Packed> adjoin_surface_packed) {
+    fbb_.AddOffset(Geometry::VT_ADJOIN_SURFACE_PACKED, adjoin_surface_packed);
+  }
+  void add_surface_material_packed(::flatbuffers::Offset<jktools::Packed> surface_material_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_MATERIAL_PACKED, surface_material_packed);
+  }
+  void add_surface_flags_packed(::flatbuffers::Offset<jktools::Packed> surface_flags_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_FLAGS_PACKED, surface_flags_packed);
+  }
+  void add_surface_face_flags_packed(::flatbuffers::Offset<jktools::Packed> surface_face_flags_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_FACE_FLAGS_PACKED, surface_face_flags_packed);
+  }
+  void add_surface_geometry_mode_packed(::flatbuffers::Offset<jktools::Packed> surface_geometry_mode_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_GEOMETRY_MODE_PACKED, surface_geometry_mode_packed);
+  }
+  void add_surface_light_mode_packed(::flatbuffers::Offset<jktools::Packed> surface_light_mode_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_LIGHT_MODE_PACKED, surface_light_mode_packed);
+  }
+  void add_surface_texture_mode_packed(::flatbuffers::Offset<jktools::Packed> surface_texture_mode_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_TEXTURE_MODE_PACKED, surface_texture_mode_packed);
+  }
+  void add_surface_adjoin_packed(::flatbuffers::Offset<jktools::Packed> surface_adjoin_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_ADJOIN_PACKED, surface_adjoin_packed);
+  }
+  void add_surface_extra_light_packed(::flatbuffers::Offset<jktools::Packed> surface_extra_light_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_EXTRA_LIGHT_PACKED, surface_extra_light_packed);
+  }
+  void add_surface_normal_packed(::flatbuffers::Offset<jktools::Packed> surface_normal_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_NORMAL_PACKED, surface_normal_packed);
+  }
+  void add_surface_sector_packed(::flatbuffers::Offset<jktools::Packed> surface_sector_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_SECTOR_PACKED, surface_sector_packed);
+  }
+  void add_surface_corner_start_packed(::flatbuffers::Offset<jktools::Packed> surface_corner_start_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_CORNER_START_PACKED, surface_corner_start_packed);
+  }
+  void add_corner_vertex_packed(::flatbuffers::Offset<jktools::Packed> corner_vertex_packed) {
+    fbb_.AddOffset(Geometry::VT_CORNER_VERTEX_PACKED, corner_vertex_packed);
+  }
+  void add_corner_texture_vertex_packed(::flatbuffers::Offset<jktools::Packed> corner_texture_vertex_packed) {
+    fbb_.AddOffset(Geometry::VT_CORNER_TEXTURE_VERTEX_PACKED, corner_texture_vertex_packed);
+  }
+  void add_surface_light_start_packed(::flatbuffers::Offset<jktools::Packed> surface_light_start_packed) {
+    fbb_.AddOffset(Geometry::VT_SURFACE_LIGHT_START_PACKED, surface_light_start_packed);
+  }
+  void add_corner_light_packed(::flatbuffers::Offset<jktools::Packed> corner_light_packed) {
+    fbb_.AddOffset(Geometry::VT_CORNER_LIGHT_PACKED, corner_light_packed);
+  }
+  void add_sector_flags_packed(::flatbuffers::Offset<jktools::Packed> sector_flags_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_FLAGS_PACKED, sector_flags_packed);
+  }
+  void add_sector_ambient_light_packed(::flatbuffers::Offset<jktools::Packed> sector_ambient_light_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_AMBIENT_LIGHT_PACKED, sector_ambient_light_packed);
+  }
+  void add_sector_extra_light_packed(::flatbuffers::Offset<jktools::Packed> sector_extra_light_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_EXTRA_LIGHT_PACKED, sector_extra_light_packed);
+  }
+  void add_sector_colormap_packed(::flatbuffers::Offset<jktools::Packed> sector_colormap_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_COLORMAP_PACKED, sector_colormap_packed);
+  }
+  void add_sector_tint_packed(::flatbuffers::Offset<jktools::Packed> sector_tint_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_TINT_PACKED, sector_tint_packed);
+  }
+  void add_sector_bound_box_packed(::flatbuffers::Offset<jktools::Packed> sector_bound_box_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_BOUND_BOX_PACKED, sector_bound_box_packed);
+  }
+  void add_sector_collide_box_packed(::flatbuffers::Offset<jktools::Packed> sector_collide_box_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_COLLIDE_BOX_PACKED, sector_collide_box_packed);
+  }
+  void add_sector_sound_packed(::flatbuffers::Offset<jktools::Packed> sector_sound_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_SOUND_PACKED, sector_sound_packed);
+  }
+  void add_sector_sound_volume_packed(::flatbuffers::Offset<jktools::Packed> sector_sound_volume_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_SOUND_VOLUME_PACKED, sector_sound_volume_packed);
+  }
+  void add_sector_center_packed(::flatbuffers::Offset<jktools::Packed> sector_center_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_CENTER_PACKED, sector_center_packed);
+  }
+  void add_sector_radius_packed(::flatbuffers::Offset<jktools::Packed> sector_radius_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_RADIUS_PACKED, sector_radius_packed);
+  }
+  void add_sector_vertex_start_packed(::flatbuffers::Offset<jktools::Packed> sector_vertex_start_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_VERTEX_START_PACKED, sector_vertex_start_packed);
+  }
+  void add_sector_vertex_packed(::flatbuffers::Offset<jktools::Packed> sector_vertex_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_VERTEX_PACKED, sector_vertex_packed);
+  }
+  void add_sector_first_surface_packed(::flatbuffers::Offset<jktools::Packed> sector_first_surface_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_FIRST_SURFACE_PACKED, sector_first_surface_packed);
+  }
+  void add_sector_surface_count_packed(::flatbuffers::Offset<jktools::Packed> sector_surface_count_packed) {
+    fbb_.AddOffset(Geometry::VT_SECTOR_SURFACE_COUNT_PACKED, sector_surface_count_packed);
+  }
   explicit GeometryBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -1062,8 +1801,80 @@ inline ::flatbuffers::Offset<Geometry> CreateGeometry(
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> sector_vertex_start = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> sector_vertex = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> sector_first_surface = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> sector_surface_count = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> sector_surface_count = 0,
+    ::flatbuffers::Offset<jktools::Packed> vertices_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> texture_vertices_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> adjoin_flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> adjoin_mirror_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> adjoin_distance_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> adjoin_surface_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_material_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_face_flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_geometry_mode_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_light_mode_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_texture_mode_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_adjoin_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_extra_light_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_normal_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_sector_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_corner_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> corner_vertex_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> corner_texture_vertex_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_light_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> corner_light_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_ambient_light_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_extra_light_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_colormap_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_tint_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_bound_box_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_collide_box_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_sound_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_sound_volume_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_center_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_radius_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_vertex_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_vertex_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_first_surface_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_surface_count_packed = 0) {
   GeometryBuilder builder_(_fbb);
+  builder_.add_sector_surface_count_packed(sector_surface_count_packed);
+  builder_.add_sector_first_surface_packed(sector_first_surface_packed);
+  builder_.add_sector_vertex_packed(sector_vertex_packed);
+  builder_.add_sector_vertex_start_packed(sector_vertex_start_packed);
+  builder_.add_sector_radius_packed(sector_radius_packed);
+  builder_.add_sector_center_packed(sector_center_packed);
+  builder_.add_sector_sound_volume_packed(sector_sound_volume_packed);
+  builder_.add_sector_sound_packed(sector_sound_packed);
+  builder_.add_sector_collide_box_packed(sector_collide_box_packed);
+  builder_.add_sector_bound_box_packed(sector_bound_box_packed);
+  builder_.add_sector_tint_packed(sector_tint_packed);
+  builder_.add_sector_colormap_packed(sector_colormap_packed);
+  builder_.add_sector_extra_light_packed(sector_extra_light_packed);
+  builder_.add_sector_ambient_light_packed(sector_ambient_light_packed);
+  builder_.add_sector_flags_packed(sector_flags_packed);
+  builder_.add_corner_light_packed(corner_light_packed);
+  builder_.add_surface_light_start_packed(surface_light_start_packed);
+  builder_.add_corner_texture_vertex_packed(corner_texture_vertex_packed);
+  builder_.add_corner_vertex_packed(corner_vertex_packed);
+  builder_.add_surface_corner_start_packed(surface_corner_start_packed);
+  builder_.add_surface_sector_packed(surface_sector_packed);
+  builder_.add_surface_normal_packed(surface_normal_packed);
+  builder_.add_surface_extra_light_packed(surface_extra_light_packed);
+  builder_.add_surface_adjoin_packed(surface_adjoin_packed);
+  builder_.add_surface_texture_mode_packed(surface_texture_mode_packed);
+  builder_.add_surface_light_mode_packed(surface_light_mode_packed);
+  builder_.add_surface_geometry_mode_packed(surface_geometry_mode_packed);
+  builder_.add_surface_face_flags_packed(surface_face_flags_packed);
+  builder_.add_surface_flags_packed(surface_flags_packed);
+  builder_.add_surface_material_packed(surface_material_packed);
+  builder_.add_adjoin_surface_packed(adjoin_surface_packed);
+  builder_.add_adjoin_distance_packed(adjoin_distance_packed);
+  builder_.add_adjoin_mirror_packed(adjoin_mirror_packed);
+  builder_.add_adjoin_flags_packed(adjoin_flags_packed);
+  builder_.add_texture_vertices_packed(texture_vertices_packed);
+  builder_.add_vertices_packed(vertices_packed);
   builder_.add_sector_surface_count(sector_surface_count);
   builder_.add_sector_first_surface(sector_first_surface);
   builder_.add_sector_vertex(sector_vertex);
@@ -1140,7 +1951,43 @@ inline ::flatbuffers::Offset<Geometry> CreateGeometryDirect(
     const std::vector<uint32_t> *sector_vertex_start = nullptr,
     const std::vector<int32_t> *sector_vertex = nullptr,
     const std::vector<int32_t> *sector_first_surface = nullptr,
-    const std::vector<int32_t> *sector_surface_count = nullptr) {
+    const std::vector<int32_t> *sector_surface_count = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> vertices_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> texture_vertices_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> adjoin_flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> adjoin_mirror_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> adjoin_distance_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> adjoin_surface_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_material_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_face_flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_geometry_mode_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_light_mode_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_texture_mode_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_adjoin_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_extra_light_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_normal_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_sector_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_corner_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> corner_vertex_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> corner_texture_vertex_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_light_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> corner_light_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_ambient_light_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_extra_light_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_colormap_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_tint_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_bound_box_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_collide_box_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_sound_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_sound_volume_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_center_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_radius_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_vertex_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_vertex_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_first_surface_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_surface_count_packed = 0) {
   auto vertices__ = vertices ? _fbb.CreateVector<float>(*vertices) : 0;
   auto texture_vertices__ = texture_vertices ? _fbb.CreateVector<float>(*texture_vertices) : 0;
   auto adjoin_flags__ = adjoin_flags ? _fbb.CreateVector<uint32_t>(*adjoin_flags) : 0;
@@ -1214,7 +2061,43 @@ inline ::flatbuffers::Offset<Geometry> CreateGeometryDirect(
       sector_vertex_start__,
       sector_vertex__,
       sector_first_surface__,
-      sector_surface_count__);
+      sector_surface_count__,
+      vertices_packed,
+      texture_vertices_packed,
+      adjoin_flags_packed,
+      adjoin_mirror_packed,
+      adjoin_distance_packed,
+      adjoin_surface_packed,
+      surface_material_packed,
+      surface_flags_packed,
+      surface_face_flags_packed,
+      surface_geometry_mode_packed,
+      surface_light_mode_packed,
+      surface_texture_mode_packed,
+      surface_adjoin_packed,
+      surface_extra_light_packed,
+      surface_normal_packed,
+      surface_sector_packed,
+      surface_corner_start_packed,
+      corner_vertex_packed,
+      corner_texture_vertex_packed,
+      surface_light_start_packed,
+      corner_light_packed,
+      sector_flags_packed,
+      sector_ambient_light_packed,
+      sector_extra_light_packed,
+      sector_colormap_packed,
+      sector_tint_packed,
+      sector_bound_box_packed,
+      sector_collide_box_packed,
+      sector_sound_packed,
+      sector_sound_volume_packed,
+      sector_center_packed,
+      sector_radius_packed,
+      sector_vertex_start_packed,
+      sector_vertex_packed,
+      sector_first_surface_packed,
+      sector_surface_count_packed);
 }
 
 /// The templates that the level can reach: as written, and with all that they inherit.
@@ -1235,7 +2118,34 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_VALUE_TEXT = 26,
     VT_VALUE_SOURCE = 28,
     VT_NUMBER_START = 30,
-    VT_NUMBER = 32
+    VT_NUMBER = 32,
+    VT_SOURCE_PACKED = 34,
+    VT_NAME_PACKED = 36,
+    VT_PARENT_PACKED = 38,
+    VT_PARAMETER_START_PACKED = 40,
+    VT_PARAMETER_KEY_PACKED = 42,
+    VT_PARAMETER_VALUE_PACKED = 44,
+    VT_TYPE_PACKED = 46,
+    VT_MOVE_PACKED = 48,
+    VT_HAS_AI_PACKED = 50,
+    VT_VALUE_START_PACKED = 52,
+    VT_VALUE_KEY_PACKED = 54,
+    VT_VALUE_TEXT_PACKED = 56,
+    VT_VALUE_SOURCE_PACKED = 58,
+    VT_NUMBER_START_PACKED = 60,
+    VT_NUMBER_PACKED = 62,
+    VT_VALUE_LIST = 64,
+    VT_LIST_START = 66,
+    VT_LIST_NUMBER = 68,
+    VT_UNUSED_START = 70,
+    VT_UNUSED_KEY = 72,
+    VT_UNUSED_VALUE = 74,
+    VT_VALUE_LIST_PACKED = 76,
+    VT_LIST_START_PACKED = 78,
+    VT_LIST_NUMBER_PACKED = 80,
+    VT_UNUSED_START_PACKED = 82,
+    VT_UNUSED_KEY_PACKED = 84,
+    VT_UNUSED_VALUE_PACKED = 86
   };
   /// Position of the record in its section.
   const ::flatbuffers::Vector<int32_t> *source() const {
@@ -1293,6 +2203,93 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<double> *number() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_NUMBER);
   }
+  const jktools::Packed *source_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SOURCE_PACKED);
+  }
+  const jktools::Packed *name_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_NAME_PACKED);
+  }
+  const jktools::Packed *parent_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_PARENT_PACKED);
+  }
+  const jktools::Packed *parameter_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_PARAMETER_START_PACKED);
+  }
+  const jktools::Packed *parameter_key_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_PARAMETER_KEY_PACKED);
+  }
+  const jktools::Packed *parameter_value_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_PARAMETER_VALUE_PACKED);
+  }
+  const jktools::Packed *type_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_TYPE_PACKED);
+  }
+  const jktools::Packed *move_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MOVE_PACKED);
+  }
+  const jktools::Packed *has_ai_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_HAS_AI_PACKED);
+  }
+  const jktools::Packed *value_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VALUE_START_PACKED);
+  }
+  const jktools::Packed *value_key_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VALUE_KEY_PACKED);
+  }
+  const jktools::Packed *value_text_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VALUE_TEXT_PACKED);
+  }
+  const jktools::Packed *value_source_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VALUE_SOURCE_PACKED);
+  }
+  const jktools::Packed *number_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_NUMBER_START_PACKED);
+  }
+  const jktools::Packed *number_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_NUMBER_PACKED);
+  }
+  /// Which of the lists below holds the numbers of a value.
+  const ::flatbuffers::Vector<uint32_t> *value_list() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VALUE_LIST);
+  }
+  /// Cuts `list_number` into lists, each once: 1 for a number or flags, 3 for a vector, 6 a frame, none for a name and
+  /// for what is not known.
+  const ::flatbuffers::Vector<uint32_t> *list_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_LIST_START);
+  }
+  /// float32 values and 32-bit flags, both exact.
+  const ::flatbuffers::Vector<double> *list_number() const {
+    return GetPointer<const ::flatbuffers::Vector<double> *>(VT_LIST_NUMBER);
+  }
+  /// Cuts the parameters as written that no value tells: of which the engine makes nothing, which a later one
+  /// replaces, or whose value is not known.
+  const ::flatbuffers::Vector<uint32_t> *unused_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_UNUSED_START);
+  }
+  const ::flatbuffers::Vector<uint32_t> *unused_key() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_UNUSED_KEY);
+  }
+  const ::flatbuffers::Vector<uint32_t> *unused_value() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_UNUSED_VALUE);
+  }
+  const jktools::Packed *value_list_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VALUE_LIST_PACKED);
+  }
+  const jktools::Packed *list_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_LIST_START_PACKED);
+  }
+  const jktools::Packed *list_number_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_LIST_NUMBER_PACKED);
+  }
+  const jktools::Packed *unused_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_UNUSED_START_PACKED);
+  }
+  const jktools::Packed *unused_key_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_UNUSED_KEY_PACKED);
+  }
+  const jktools::Packed *unused_value_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_UNUSED_VALUE_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -1326,6 +2323,60 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(number_start()) &&
            VerifyOffset(verifier, VT_NUMBER) &&
            verifier.VerifyVector(number()) &&
+           VerifyOffset(verifier, VT_SOURCE_PACKED) &&
+           verifier.VerifyTable(source_packed()) &&
+           VerifyOffset(verifier, VT_NAME_PACKED) &&
+           verifier.VerifyTable(name_packed()) &&
+           VerifyOffset(verifier, VT_PARENT_PACKED) &&
+           verifier.VerifyTable(parent_packed()) &&
+           VerifyOffset(verifier, VT_PARAMETER_START_PACKED) &&
+           verifier.VerifyTable(parameter_start_packed()) &&
+           VerifyOffset(verifier, VT_PARAMETER_KEY_PACKED) &&
+           verifier.VerifyTable(parameter_key_packed()) &&
+           VerifyOffset(verifier, VT_PARAMETER_VALUE_PACKED) &&
+           verifier.VerifyTable(parameter_value_packed()) &&
+           VerifyOffset(verifier, VT_TYPE_PACKED) &&
+           verifier.VerifyTable(type_packed()) &&
+           VerifyOffset(verifier, VT_MOVE_PACKED) &&
+           verifier.VerifyTable(move_packed()) &&
+           VerifyOffset(verifier, VT_HAS_AI_PACKED) &&
+           verifier.VerifyTable(has_ai_packed()) &&
+           VerifyOffset(verifier, VT_VALUE_START_PACKED) &&
+           verifier.VerifyTable(value_start_packed()) &&
+           VerifyOffset(verifier, VT_VALUE_KEY_PACKED) &&
+           verifier.VerifyTable(value_key_packed()) &&
+           VerifyOffset(verifier, VT_VALUE_TEXT_PACKED) &&
+           verifier.VerifyTable(value_text_packed()) &&
+           VerifyOffset(verifier, VT_VALUE_SOURCE_PACKED) &&
+           verifier.VerifyTable(value_source_packed()) &&
+           VerifyOffset(verifier, VT_NUMBER_START_PACKED) &&
+           verifier.VerifyTable(number_start_packed()) &&
+           VerifyOffset(verifier, VT_NUMBER_PACKED) &&
+           verifier.VerifyTable(number_packed()) &&
+           VerifyOffset(verifier, VT_VALUE_LIST) &&
+           verifier.VerifyVector(value_list()) &&
+           VerifyOffset(verifier, VT_LIST_START) &&
+           verifier.VerifyVector(list_start()) &&
+           VerifyOffset(verifier, VT_LIST_NUMBER) &&
+           verifier.VerifyVector(list_number()) &&
+           VerifyOffset(verifier, VT_UNUSED_START) &&
+           verifier.VerifyVector(unused_start()) &&
+           VerifyOffset(verifier, VT_UNUSED_KEY) &&
+           verifier.VerifyVector(unused_key()) &&
+           VerifyOffset(verifier, VT_UNUSED_VALUE) &&
+           verifier.VerifyVector(unused_value()) &&
+           VerifyOffset(verifier, VT_VALUE_LIST_PACKED) &&
+           verifier.VerifyTable(value_list_packed()) &&
+           VerifyOffset(verifier, VT_LIST_START_PACKED) &&
+           verifier.VerifyTable(list_start_packed()) &&
+           VerifyOffset(verifier, VT_LIST_NUMBER_PACKED) &&
+           verifier.VerifyTable(list_number_packed()) &&
+           VerifyOffset(verifier, VT_UNUSED_START_PACKED) &&
+           verifier.VerifyTable(unused_start_packed()) &&
+           VerifyOffset(verifier, VT_UNUSED_KEY_PACKED) &&
+           verifier.VerifyTable(unused_key_packed()) &&
+           VerifyOffset(verifier, VT_UNUSED_VALUE_PACKED) &&
+           verifier.VerifyTable(unused_value_packed()) &&
            verifier.EndTable();
   }
 };
@@ -1379,6 +2430,87 @@ struct TemplatesBuilder {
   void add_number(::flatbuffers::Offset<::flatbuffers::Vector<double>> number) {
     fbb_.AddOffset(Templates::VT_NUMBER, number);
   }
+  void add_source_packed(::flatbuffers::Offset<jktools::Packed> source_packed) {
+    fbb_.AddOffset(Templates::VT_SOURCE_PACKED, source_packed);
+  }
+  void add_name_packed(::flatbuffers::Offset<jktools::Packed> name_packed) {
+    fbb_.AddOffset(Templates::VT_NAME_PACKED, name_packed);
+  }
+  void add_parent_packed(::flatbuffers::Offset<jktools::Packed> parent_packed) {
+    fbb_.AddOffset(Templates::VT_PARENT_PACKED, parent_packed);
+  }
+  void add_parameter_start_packed(::flatbuffers::Offset<jktools::Packed> parameter_start_packed) {
+    fbb_.AddOffset(Templates::VT_PARAMETER_START_PACKED, parameter_start_packed);
+  }
+  void add_parameter_key_packed(::flatbuffers::Offset<jktools::Packed> parameter_key_packed) {
+    fbb_.AddOffset(Templates::VT_PARAMETER_KEY_PACKED, parameter_key_packed);
+  }
+  void add_parameter_value_packed(::flatbuffers::Offset<jktools::Packed> parameter_value_packed) {
+    fbb_.AddOffset(Templates::VT_PARAMETER_VALUE_PACKED, parameter_value_packed);
+  }
+  void add_type_packed(::flatbuffers::Offset<jktools::Packed> type_packed) {
+    fbb_.AddOffset(Templates::VT_TYPE_PACKED, type_packed);
+  }
+  void add_move_packed(::flatbuffers::Offset<jktools::Packed> move_packed) {
+    fbb_.AddOffset(Templates::VT_MOVE_PACKED, move_packed);
+  }
+  void add_has_ai_packed(::flatbuffers::Offset<jktools::Packed> has_ai_packed) {
+    fbb_.AddOffset(Templates::VT_HAS_AI_PACKED, has_ai_packed);
+  }
+  void add_value_start_packed(::flatbuffers::Offset<jktools::Packed> value_start_packed) {
+    fbb_.AddOffset(Templates::VT_VALUE_START_PACKED, value_start_packed);
+  }
+  void add_value_key_packed(::flatbuffers::Offset<jktools::Packed> value_key_packed) {
+    fbb_.AddOffset(Templates::VT_VALUE_KEY_PACKED, value_key_packed);
+  }
+  void add_value_text_packed(::flatbuffers::Offset<jktools::Packed> value_text_packed) {
+    fbb_.AddOffset(Templates::VT_VALUE_TEXT_PACKED, value_text_packed);
+  }
+  void add_value_source_packed(::flatbuffers::Offset<jktools::Packed> value_source_packed) {
+    fbb_.AddOffset(Templates::VT_VALUE_SOURCE_PACKED, value_source_packed);
+  }
+  void add_number_start_packed(::flatbuffers::Offset<jktools::Packed> number_start_packed) {
+    fbb_.AddOffset(Templates::VT_NUMBER_START_PACKED, number_start_packed);
+  }
+  void add_number_packed(::flatbuffers::Offset<jktools::Packed> number_packed) {
+    fbb_.AddOffset(Templates::VT_NUMBER_PACKED, number_packed);
+  }
+  void add_value_list(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> value_list) {
+    fbb_.AddOffset(Templates::VT_VALUE_LIST, value_list);
+  }
+  void add_list_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> list_start) {
+    fbb_.AddOffset(Templates::VT_LIST_START, list_start);
+  }
+  void add_list_number(::flatbuffers::Offset<::flatbuffers::Vector<double>> list_number) {
+    fbb_.AddOffset(Templates::VT_LIST_NUMBER, list_number);
+  }
+  void add_unused_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> unused_start) {
+    fbb_.AddOffset(Templates::VT_UNUSED_START, unused_start);
+  }
+  void add_unused_key(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> unused_key) {
+    fbb_.AddOffset(Templates::VT_UNUSED_KEY, unused_key);
+  }
+  void add_unused_value(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> unused_value) {
+    fbb_.AddOffset(Templates::VT_UNUSED_VALUE, unused_value);
+  }
+  void add_value_list_packed(::flatbuffers::Offset<jktools::Packed> value_list_packed) {
+    fbb_.AddOffset(Templates::VT_VALUE_LIST_PACKED, value_list_packed);
+  }
+  void add_list_start_packed(::flatbuffers::Offset<jktools::Packed> list_start_packed) {
+    fbb_.AddOffset(Templates::VT_LIST_START_PACKED, list_start_packed);
+  }
+  void add_list_number_packed(::flatbuffers::Offset<jktools::Packed> list_number_packed) {
+    fbb_.AddOffset(Templates::VT_LIST_NUMBER_PACKED, list_number_packed);
+  }
+  void add_unused_start_packed(::flatbuffers::Offset<jktools::Packed> unused_start_packed) {
+    fbb_.AddOffset(Templates::VT_UNUSED_START_PACKED, unused_start_packed);
+  }
+  void add_unused_key_packed(::flatbuffers::Offset<jktools::Packed> unused_key_packed) {
+    fbb_.AddOffset(Templates::VT_UNUSED_KEY_PACKED, unused_key_packed);
+  }
+  void add_unused_value_packed(::flatbuffers::Offset<jktools::Packed> unused_value_packed) {
+    fbb_.AddOffset(Templates::VT_UNUSED_VALUE_PACKED, unused_value_packed);
+  }
   explicit TemplatesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -1406,8 +2538,62 @@ inline ::flatbuffers::Offset<Templates> CreateTemplates(
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> value_text = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> value_source = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> number_start = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<double>> number = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> number = 0,
+    ::flatbuffers::Offset<jktools::Packed> source_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parent_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_key_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_value_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> type_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> move_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> has_ai_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_key_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_text_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_source_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> number_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> number_packed = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> value_list = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> list_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> list_number = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> unused_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> unused_key = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> unused_value = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_list_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> list_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> list_number_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> unused_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> unused_key_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> unused_value_packed = 0) {
   TemplatesBuilder builder_(_fbb);
+  builder_.add_unused_value_packed(unused_value_packed);
+  builder_.add_unused_key_packed(unused_key_packed);
+  builder_.add_unused_start_packed(unused_start_packed);
+  builder_.add_list_number_packed(list_number_packed);
+  builder_.add_list_start_packed(list_start_packed);
+  builder_.add_value_list_packed(value_list_packed);
+  builder_.add_unused_value(unused_value);
+  builder_.add_unused_key(unused_key);
+  builder_.add_unused_start(unused_start);
+  builder_.add_list_number(list_number);
+  builder_.add_list_start(list_start);
+  builder_.add_value_list(value_list);
+  builder_.add_number_packed(number_packed);
+  builder_.add_number_start_packed(number_start_packed);
+  builder_.add_value_source_packed(value_source_packed);
+  builder_.add_value_text_packed(value_text_packed);
+  builder_.add_value_key_packed(value_key_packed);
+  builder_.add_value_start_packed(value_start_packed);
+  builder_.add_has_ai_packed(has_ai_packed);
+  builder_.add_move_packed(move_packed);
+  builder_.add_type_packed(type_packed);
+  builder_.add_parameter_value_packed(parameter_value_packed);
+  builder_.add_parameter_key_packed(parameter_key_packed);
+  builder_.add_parameter_start_packed(parameter_start_packed);
+  builder_.add_parent_packed(parent_packed);
+  builder_.add_name_packed(name_packed);
+  builder_.add_source_packed(source_packed);
   builder_.add_number(number);
   builder_.add_number_start(number_start);
   builder_.add_value_source(value_source);
@@ -1442,7 +2628,34 @@ inline ::flatbuffers::Offset<Templates> CreateTemplatesDirect(
     const std::vector<int32_t> *value_text = nullptr,
     const std::vector<int32_t> *value_source = nullptr,
     const std::vector<uint32_t> *number_start = nullptr,
-    const std::vector<double> *number = nullptr) {
+    const std::vector<double> *number = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> source_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parent_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_key_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_value_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> type_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> move_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> has_ai_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_key_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_text_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_source_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> number_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> number_packed = 0,
+    const std::vector<uint32_t> *value_list = nullptr,
+    const std::vector<uint32_t> *list_start = nullptr,
+    const std::vector<double> *list_number = nullptr,
+    const std::vector<uint32_t> *unused_start = nullptr,
+    const std::vector<uint32_t> *unused_key = nullptr,
+    const std::vector<uint32_t> *unused_value = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> value_list_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> list_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> list_number_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> unused_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> unused_key_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> unused_value_packed = 0) {
   auto source__ = source ? _fbb.CreateVector<int32_t>(*source) : 0;
   auto name__ = name ? _fbb.CreateVector<uint32_t>(*name) : 0;
   auto parent__ = parent ? _fbb.CreateVector<uint32_t>(*parent) : 0;
@@ -1458,6 +2671,12 @@ inline ::flatbuffers::Offset<Templates> CreateTemplatesDirect(
   auto value_source__ = value_source ? _fbb.CreateVector<int32_t>(*value_source) : 0;
   auto number_start__ = number_start ? _fbb.CreateVector<uint32_t>(*number_start) : 0;
   auto number__ = number ? _fbb.CreateVector<double>(*number) : 0;
+  auto value_list__ = value_list ? _fbb.CreateVector<uint32_t>(*value_list) : 0;
+  auto list_start__ = list_start ? _fbb.CreateVector<uint32_t>(*list_start) : 0;
+  auto list_number__ = list_number ? _fbb.CreateVector<double>(*list_number) : 0;
+  auto unused_start__ = unused_start ? _fbb.CreateVector<uint32_t>(*unused_start) : 0;
+  auto unused_key__ = unused_key ? _fbb.CreateVector<uint32_t>(*unused_key) : 0;
+  auto unused_value__ = unused_value ? _fbb.CreateVector<uint32_t>(*unused_value) : 0;
   return jktools::CreateTemplates(
       _fbb,
       source__,
@@ -1474,7 +2693,34 @@ inline ::flatbuffers::Offset<Templates> CreateTemplatesDirect(
       value_text__,
       value_source__,
       number_start__,
-      number__);
+      number__,
+      source_packed,
+      name_packed,
+      parent_packed,
+      parameter_start_packed,
+      parameter_key_packed,
+      parameter_value_packed,
+      type_packed,
+      move_packed,
+      has_ai_packed,
+      value_start_packed,
+      value_key_packed,
+      value_text_packed,
+      value_source_packed,
+      number_start_packed,
+      number_packed,
+      value_list__,
+      list_start__,
+      list_number__,
+      unused_start__,
+      unused_key__,
+      unused_value__,
+      value_list_packed,
+      list_start_packed,
+      list_number_packed,
+      unused_start_packed,
+      unused_key_packed,
+      unused_value_packed);
 }
 
 /// Things as placed.
@@ -1491,7 +2737,18 @@ struct Things FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_ARCH_LIGHT = 18,
     VT_PARAMETER_START = 20,
     VT_PARAMETER_KEY = 22,
-    VT_PARAMETER_VALUE = 24
+    VT_PARAMETER_VALUE = 24,
+    VT_SOURCE_PACKED = 26,
+    VT_NUMBER_PACKED = 28,
+    VT_TEMPLATE_PACKED = 30,
+    VT_NAME_PACKED = 32,
+    VT_POSITION_PACKED = 34,
+    VT_ANGLES_PACKED = 36,
+    VT_SECTOR_PACKED = 38,
+    VT_ARCH_LIGHT_PACKED = 40,
+    VT_PARAMETER_START_PACKED = 42,
+    VT_PARAMETER_KEY_PACKED = 44,
+    VT_PARAMETER_VALUE_PACKED = 46
   };
   /// Position of the record in its section.
   const ::flatbuffers::Vector<int32_t> *source() const {
@@ -1530,6 +2787,39 @@ struct Things FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *parameter_value() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_PARAMETER_VALUE);
   }
+  const jktools::Packed *source_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SOURCE_PACKED);
+  }
+  const jktools::Packed *number_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_NUMBER_PACKED);
+  }
+  const jktools::Packed *template_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_TEMPLATE_PACKED);
+  }
+  const jktools::Packed *name_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_NAME_PACKED);
+  }
+  const jktools::Packed *position_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_POSITION_PACKED);
+  }
+  const jktools::Packed *angles_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ANGLES_PACKED);
+  }
+  const jktools::Packed *sector_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_PACKED);
+  }
+  const jktools::Packed *arch_light_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ARCH_LIGHT_PACKED);
+  }
+  const jktools::Packed *parameter_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_PARAMETER_START_PACKED);
+  }
+  const jktools::Packed *parameter_key_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_PARAMETER_KEY_PACKED);
+  }
+  const jktools::Packed *parameter_value_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_PARAMETER_VALUE_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -1555,6 +2845,28 @@ struct Things FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(parameter_key()) &&
            VerifyOffset(verifier, VT_PARAMETER_VALUE) &&
            verifier.VerifyVector(parameter_value()) &&
+           VerifyOffset(verifier, VT_SOURCE_PACKED) &&
+           verifier.VerifyTable(source_packed()) &&
+           VerifyOffset(verifier, VT_NUMBER_PACKED) &&
+           verifier.VerifyTable(number_packed()) &&
+           VerifyOffset(verifier, VT_TEMPLATE_PACKED) &&
+           verifier.VerifyTable(template_packed()) &&
+           VerifyOffset(verifier, VT_NAME_PACKED) &&
+           verifier.VerifyTable(name_packed()) &&
+           VerifyOffset(verifier, VT_POSITION_PACKED) &&
+           verifier.VerifyTable(position_packed()) &&
+           VerifyOffset(verifier, VT_ANGLES_PACKED) &&
+           verifier.VerifyTable(angles_packed()) &&
+           VerifyOffset(verifier, VT_SECTOR_PACKED) &&
+           verifier.VerifyTable(sector_packed()) &&
+           VerifyOffset(verifier, VT_ARCH_LIGHT_PACKED) &&
+           verifier.VerifyTable(arch_light_packed()) &&
+           VerifyOffset(verifier, VT_PARAMETER_START_PACKED) &&
+           verifier.VerifyTable(parameter_start_packed()) &&
+           VerifyOffset(verifier, VT_PARAMETER_KEY_PACKED) &&
+           verifier.VerifyTable(parameter_key_packed()) &&
+           VerifyOffset(verifier, VT_PARAMETER_VALUE_PACKED) &&
+           verifier.VerifyTable(parameter_value_packed()) &&
            verifier.EndTable();
   }
 };
@@ -1596,6 +2908,39 @@ struct ThingsBuilder {
   void add_parameter_value(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parameter_value) {
     fbb_.AddOffset(Things::VT_PARAMETER_VALUE, parameter_value);
   }
+  void add_source_packed(::flatbuffers::Offset<jktools::Packed> source_packed) {
+    fbb_.AddOffset(Things::VT_SOURCE_PACKED, source_packed);
+  }
+  void add_number_packed(::flatbuffers::Offset<jktools::Packed> number_packed) {
+    fbb_.AddOffset(Things::VT_NUMBER_PACKED, number_packed);
+  }
+  void add_template_packed(::flatbuffers::Offset<jktools::Packed> template_packed) {
+    fbb_.AddOffset(Things::VT_TEMPLATE_PACKED, template_packed);
+  }
+  void add_name_packed(::flatbuffers::Offset<jktools::Packed> name_packed) {
+    fbb_.AddOffset(Things::VT_NAME_PACKED, name_packed);
+  }
+  void add_position_packed(::flatbuffers::Offset<jktools::Packed> position_packed) {
+    fbb_.AddOffset(Things::VT_POSITION_PACKED, position_packed);
+  }
+  void add_angles_packed(::flatbuffers::Offset<jktools::Packed> angles_packed) {
+    fbb_.AddOffset(Things::VT_ANGLES_PACKED, angles_packed);
+  }
+  void add_sector_packed(::flatbuffers::Offset<jktools::Packed> sector_packed) {
+    fbb_.AddOffset(Things::VT_SECTOR_PACKED, sector_packed);
+  }
+  void add_arch_light_packed(::flatbuffers::Offset<jktools::Packed> arch_light_packed) {
+    fbb_.AddOffset(Things::VT_ARCH_LIGHT_PACKED, arch_light_packed);
+  }
+  void add_parameter_start_packed(::flatbuffers::Offset<jktools::Packed> parameter_start_packed) {
+    fbb_.AddOffset(Things::VT_PARAMETER_START_PACKED, parameter_start_packed);
+  }
+  void add_parameter_key_packed(::flatbuffers::Offset<jktools::Packed> parameter_key_packed) {
+    fbb_.AddOffset(Things::VT_PARAMETER_KEY_PACKED, parameter_key_packed);
+  }
+  void add_parameter_value_packed(::flatbuffers::Offset<jktools::Packed> parameter_value_packed) {
+    fbb_.AddOffset(Things::VT_PARAMETER_VALUE_PACKED, parameter_value_packed);
+  }
   explicit ThingsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -1619,8 +2964,30 @@ inline ::flatbuffers::Offset<Things> CreateThings(
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> arch_light = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parameter_start = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parameter_key = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parameter_value = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> parameter_value = 0,
+    ::flatbuffers::Offset<jktools::Packed> source_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> number_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> template_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> position_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> angles_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> arch_light_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_key_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_value_packed = 0) {
   ThingsBuilder builder_(_fbb);
+  builder_.add_parameter_value_packed(parameter_value_packed);
+  builder_.add_parameter_key_packed(parameter_key_packed);
+  builder_.add_parameter_start_packed(parameter_start_packed);
+  builder_.add_arch_light_packed(arch_light_packed);
+  builder_.add_sector_packed(sector_packed);
+  builder_.add_angles_packed(angles_packed);
+  builder_.add_position_packed(position_packed);
+  builder_.add_name_packed(name_packed);
+  builder_.add_template_packed(template_packed);
+  builder_.add_number_packed(number_packed);
+  builder_.add_source_packed(source_packed);
   builder_.add_parameter_value(parameter_value);
   builder_.add_parameter_key(parameter_key);
   builder_.add_parameter_start(parameter_start);
@@ -1647,7 +3014,18 @@ inline ::flatbuffers::Offset<Things> CreateThingsDirect(
     const std::vector<int32_t> *arch_light = nullptr,
     const std::vector<uint32_t> *parameter_start = nullptr,
     const std::vector<uint32_t> *parameter_key = nullptr,
-    const std::vector<uint32_t> *parameter_value = nullptr) {
+    const std::vector<uint32_t> *parameter_value = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> source_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> number_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> template_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> position_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> angles_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> arch_light_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_key_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> parameter_value_packed = 0) {
   auto source__ = source ? _fbb.CreateVector<int32_t>(*source) : 0;
   auto number__ = number ? _fbb.CreateVector<int32_t>(*number) : 0;
   auto template___ = template_ ? _fbb.CreateVector<uint32_t>(*template_) : 0;
@@ -1671,7 +3049,18 @@ inline ::flatbuffers::Offset<Things> CreateThingsDirect(
       arch_light__,
       parameter_start__,
       parameter_key__,
-      parameter_value__);
+      parameter_value__,
+      source_packed,
+      number_packed,
+      template_packed,
+      name_packed,
+      position_packed,
+      angles_packed,
+      sector_packed,
+      arch_light_packed,
+      parameter_start_packed,
+      parameter_key_packed,
+      parameter_value_packed);
 }
 
 /// Placed COGs with their values as written.
@@ -1681,7 +3070,11 @@ struct Cogs FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_SOURCE = 4,
     VT_SCRIPT = 6,
     VT_VALUE_START = 8,
-    VT_VALUE = 10
+    VT_VALUE = 10,
+    VT_SOURCE_PACKED = 12,
+    VT_SCRIPT_PACKED = 14,
+    VT_VALUE_START_PACKED = 16,
+    VT_VALUE_PACKED = 18
   };
   /// Position of the record in its section, which is the cog number of other COGs' values.
   const ::flatbuffers::Vector<int32_t> *source() const {
@@ -1696,6 +3089,18 @@ struct Cogs FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *value() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VALUE);
   }
+  const jktools::Packed *source_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SOURCE_PACKED);
+  }
+  const jktools::Packed *script_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SCRIPT_PACKED);
+  }
+  const jktools::Packed *value_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VALUE_START_PACKED);
+  }
+  const jktools::Packed *value_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VALUE_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -1707,6 +3112,14 @@ struct Cogs FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(value_start()) &&
            VerifyOffset(verifier, VT_VALUE) &&
            verifier.VerifyVector(value()) &&
+           VerifyOffset(verifier, VT_SOURCE_PACKED) &&
+           verifier.VerifyTable(source_packed()) &&
+           VerifyOffset(verifier, VT_SCRIPT_PACKED) &&
+           verifier.VerifyTable(script_packed()) &&
+           VerifyOffset(verifier, VT_VALUE_START_PACKED) &&
+           verifier.VerifyTable(value_start_packed()) &&
+           VerifyOffset(verifier, VT_VALUE_PACKED) &&
+           verifier.VerifyTable(value_packed()) &&
            verifier.EndTable();
   }
 };
@@ -1727,6 +3140,18 @@ struct CogsBuilder {
   void add_value(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> value) {
     fbb_.AddOffset(Cogs::VT_VALUE, value);
   }
+  void add_source_packed(::flatbuffers::Offset<jktools::Packed> source_packed) {
+    fbb_.AddOffset(Cogs::VT_SOURCE_PACKED, source_packed);
+  }
+  void add_script_packed(::flatbuffers::Offset<jktools::Packed> script_packed) {
+    fbb_.AddOffset(Cogs::VT_SCRIPT_PACKED, script_packed);
+  }
+  void add_value_start_packed(::flatbuffers::Offset<jktools::Packed> value_start_packed) {
+    fbb_.AddOffset(Cogs::VT_VALUE_START_PACKED, value_start_packed);
+  }
+  void add_value_packed(::flatbuffers::Offset<jktools::Packed> value_packed) {
+    fbb_.AddOffset(Cogs::VT_VALUE_PACKED, value_packed);
+  }
   explicit CogsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -1743,8 +3168,16 @@ inline ::flatbuffers::Offset<Cogs> CreateCogs(
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> source = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> script = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> value_start = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> value = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> value = 0,
+    ::flatbuffers::Offset<jktools::Packed> source_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> script_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_packed = 0) {
   CogsBuilder builder_(_fbb);
+  builder_.add_value_packed(value_packed);
+  builder_.add_value_start_packed(value_start_packed);
+  builder_.add_script_packed(script_packed);
+  builder_.add_source_packed(source_packed);
   builder_.add_value(value);
   builder_.add_value_start(value_start);
   builder_.add_script(script);
@@ -1757,7 +3190,11 @@ inline ::flatbuffers::Offset<Cogs> CreateCogsDirect(
     const std::vector<int32_t> *source = nullptr,
     const std::vector<uint32_t> *script = nullptr,
     const std::vector<uint32_t> *value_start = nullptr,
-    const std::vector<uint32_t> *value = nullptr) {
+    const std::vector<uint32_t> *value = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> source_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> script_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> value_packed = 0) {
   auto source__ = source ? _fbb.CreateVector<int32_t>(*source) : 0;
   auto script__ = script ? _fbb.CreateVector<uint32_t>(*script) : 0;
   auto value_start__ = value_start ? _fbb.CreateVector<uint32_t>(*value_start) : 0;
@@ -1767,7 +3204,11 @@ inline ::flatbuffers::Offset<Cogs> CreateCogsDirect(
       source__,
       script__,
       value_start__,
-      value__);
+      value__,
+      source_packed,
+      script_packed,
+      value_start_packed,
+      value_packed);
 }
 
 /// Records of a section that the file leaves out, and why. Since 1.1.
@@ -1777,7 +3218,10 @@ struct Omission FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_SECTION = 4,
     VT_REASON = 6,
     VT_SOURCE = 8,
-    VT_NAME = 10
+    VT_NAME = 10,
+    VT_NAME_TEXT = 12,
+    VT_SOURCE_PACKED = 14,
+    VT_NAME_TEXT_PACKED = 16
   };
   const ::flatbuffers::String *section() const {
     return GetPointer<const ::flatbuffers::String *>(VT_SECTION);
@@ -1789,8 +3233,18 @@ struct Omission FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *source() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SOURCE);
   }
+  /// Up to 1.1, the names; since then `name_text`.
   const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *name() const {
     return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_NAME);
+  }
+  const ::flatbuffers::Vector<uint32_t> *name_text() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_NAME_TEXT);
+  }
+  const jktools::Packed *source_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SOURCE_PACKED);
+  }
+  const jktools::Packed *name_text_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_NAME_TEXT_PACKED);
   }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
@@ -1804,6 +3258,12 @@ struct Omission FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            VerifyOffset(verifier, VT_NAME) &&
            verifier.VerifyVector(name()) &&
            verifier.VerifyVectorOfStrings(name()) &&
+           VerifyOffset(verifier, VT_NAME_TEXT) &&
+           verifier.VerifyVector(name_text()) &&
+           VerifyOffset(verifier, VT_SOURCE_PACKED) &&
+           verifier.VerifyTable(source_packed()) &&
+           VerifyOffset(verifier, VT_NAME_TEXT_PACKED) &&
+           verifier.VerifyTable(name_text_packed()) &&
            verifier.EndTable();
   }
 };
@@ -1824,6 +3284,15 @@ struct OmissionBuilder {
   void add_name(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> name) {
     fbb_.AddOffset(Omission::VT_NAME, name);
   }
+  void add_name_text(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> name_text) {
+    fbb_.AddOffset(Omission::VT_NAME_TEXT, name_text);
+  }
+  void add_source_packed(::flatbuffers::Offset<jktools::Packed> source_packed) {
+    fbb_.AddOffset(Omission::VT_SOURCE_PACKED, source_packed);
+  }
+  void add_name_text_packed(::flatbuffers::Offset<jktools::Packed> name_text_packed) {
+    fbb_.AddOffset(Omission::VT_NAME_TEXT_PACKED, name_text_packed);
+  }
   explicit OmissionBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -1842,8 +3311,14 @@ inline ::flatbuffers::Offset<Omission> CreateOmission(
     ::flatbuffers::Offset<::flatbuffers::String> section = 0,
     ::flatbuffers::Offset<::flatbuffers::String> reason = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> source = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> name = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> name = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> name_text = 0,
+    ::flatbuffers::Offset<jktools::Packed> source_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> name_text_packed = 0) {
   OmissionBuilder builder_(_fbb);
+  builder_.add_name_text_packed(name_text_packed);
+  builder_.add_source_packed(source_packed);
+  builder_.add_name_text(name_text);
   builder_.add_name(name);
   builder_.add_source(source);
   builder_.add_reason(reason);
@@ -1856,17 +3331,24 @@ inline ::flatbuffers::Offset<Omission> CreateOmissionDirect(
     const char *section = nullptr,
     const char *reason = nullptr,
     const std::vector<int32_t> *source = nullptr,
-    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *name = nullptr) {
+    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *name = nullptr,
+    const std::vector<uint32_t> *name_text = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> source_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> name_text_packed = 0) {
   auto section__ = section ? _fbb.CreateString(section) : 0;
   auto reason__ = reason ? _fbb.CreateString(reason) : 0;
   auto source__ = source ? _fbb.CreateVector<int32_t>(*source) : 0;
   auto name__ = name ? _fbb.CreateVector<::flatbuffers::Offset<::flatbuffers::String>>(*name) : 0;
+  auto name_text__ = name_text ? _fbb.CreateVector<uint32_t>(*name_text) : 0;
   return jktools::CreateOmission(
       _fbb,
       section__,
       reason__,
       source__,
-      name__);
+      name__,
+      name_text__,
+      source_packed,
+      name_text_packed);
 }
 
 /// Which sectors can be seen from which, walls only, what COGs may change counted as open. A pair without a bit is
@@ -1876,7 +3358,10 @@ struct Visibility FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
     VT_SECTOR = 4,
     VT_ROW_START = 6,
-    VT_ROW = 8
+    VT_ROW = 8,
+    VT_SECTOR_PACKED = 10,
+    VT_ROW_START_PACKED = 12,
+    VT_ROW_PACKED = 14
   };
   /// The sector of each row.
   const ::flatbuffers::Vector<int32_t> *sector() const {
@@ -1890,6 +3375,15 @@ struct Visibility FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *row() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_ROW);
   }
+  const jktools::Packed *sector_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SECTOR_PACKED);
+  }
+  const jktools::Packed *row_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ROW_START_PACKED);
+  }
+  const jktools::Packed *row_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ROW_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -1899,6 +3393,12 @@ struct Visibility FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(row_start()) &&
            VerifyOffset(verifier, VT_ROW) &&
            verifier.VerifyVector(row()) &&
+           VerifyOffset(verifier, VT_SECTOR_PACKED) &&
+           verifier.VerifyTable(sector_packed()) &&
+           VerifyOffset(verifier, VT_ROW_START_PACKED) &&
+           verifier.VerifyTable(row_start_packed()) &&
+           VerifyOffset(verifier, VT_ROW_PACKED) &&
+           verifier.VerifyTable(row_packed()) &&
            verifier.EndTable();
   }
 };
@@ -1916,6 +3416,15 @@ struct VisibilityBuilder {
   void add_row(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> row) {
     fbb_.AddOffset(Visibility::VT_ROW, row);
   }
+  void add_sector_packed(::flatbuffers::Offset<jktools::Packed> sector_packed) {
+    fbb_.AddOffset(Visibility::VT_SECTOR_PACKED, sector_packed);
+  }
+  void add_row_start_packed(::flatbuffers::Offset<jktools::Packed> row_start_packed) {
+    fbb_.AddOffset(Visibility::VT_ROW_START_PACKED, row_start_packed);
+  }
+  void add_row_packed(::flatbuffers::Offset<jktools::Packed> row_packed) {
+    fbb_.AddOffset(Visibility::VT_ROW_PACKED, row_packed);
+  }
   explicit VisibilityBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -1931,8 +3440,14 @@ inline ::flatbuffers::Offset<Visibility> CreateVisibility(
     ::flatbuffers::FlatBufferBuilder &_fbb,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> sector = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> row_start = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> row = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> row = 0,
+    ::flatbuffers::Offset<jktools::Packed> sector_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> row_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> row_packed = 0) {
   VisibilityBuilder builder_(_fbb);
+  builder_.add_row_packed(row_packed);
+  builder_.add_row_start_packed(row_start_packed);
+  builder_.add_sector_packed(sector_packed);
   builder_.add_row(row);
   builder_.add_row_start(row_start);
   builder_.add_sector(sector);
@@ -1943,7 +3458,10 @@ inline ::flatbuffers::Offset<Visibility> CreateVisibilityDirect(
     ::flatbuffers::FlatBufferBuilder &_fbb,
     const std::vector<int32_t> *sector = nullptr,
     const std::vector<uint32_t> *row_start = nullptr,
-    const std::vector<uint8_t> *row = nullptr) {
+    const std::vector<uint8_t> *row = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> sector_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> row_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> row_packed = 0) {
   auto sector__ = sector ? _fbb.CreateVector<int32_t>(*sector) : 0;
   auto row_start__ = row_start ? _fbb.CreateVector<uint32_t>(*row_start) : 0;
   auto row__ = row ? _fbb.CreateVector<uint8_t>(*row) : 0;
@@ -1951,7 +3469,10 @@ inline ::flatbuffers::Offset<Visibility> CreateVisibilityDirect(
       _fbb,
       sector__,
       row_start__,
-      row__);
+      row__,
+      sector_packed,
+      row_start_packed,
+      row_packed);
 }
 
 /// Calls of verbs of sight in the scripts that run, the dearest first. What they cost is counted, at 50 frames a second.
@@ -1970,7 +3491,20 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_MOST_SECTORS = 22,
     VT_MOST_SURFACES = 24,
     VT_PAIRS = 26,
-    VT_VERDICT = 28
+    VT_VERDICT = 28,
+    VT_COG_PACKED = 30,
+    VT_SCRIPT_PACKED = 32,
+    VT_VERB_PACKED = 34,
+    VT_LINE_PACKED = 36,
+    VT_THINGS_PACKED = 38,
+    VT_MORE_PACKED = 40,
+    VT_CALLS_PER_SECOND_PACKED = 42,
+    VT_MEAN_SECTORS_PACKED = 44,
+    VT_MEAN_SURFACES_PACKED = 46,
+    VT_MOST_SECTORS_PACKED = 48,
+    VT_MOST_SURFACES_PACKED = 50,
+    VT_PAIRS_PACKED = 52,
+    VT_VERDICT_PACKED = 54
   };
   /// The placed COG, by its position in the section; -1 for a class COG, which things carry.
   const ::flatbuffers::Vector<int32_t> *cog() const {
@@ -1990,11 +3524,13 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *things() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_THINGS);
   }
-  /// 1 where play can create more things that carry it.
+  /// 1 where there can be more calls than is known: play can create more things that carry it, it gets messages from a
+  /// script that sends them to a COG which is not known.
   const ::flatbuffers::Vector<uint8_t> *more() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_MORE);
   }
-  /// Of what lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing bounds it.
+  /// At most, of what is known and lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing
+  /// bounds it.
   const ::flatbuffers::Vector<double> *calls_per_second() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_CALLS_PER_SECOND);
   }
@@ -2018,6 +3554,45 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   /// 0 never, 1 always, 2 varies.
   const ::flatbuffers::Vector<int32_t> *verdict() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_VERDICT);
+  }
+  const jktools::Packed *cog_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_COG_PACKED);
+  }
+  const jktools::Packed *script_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SCRIPT_PACKED);
+  }
+  const jktools::Packed *verb_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VERB_PACKED);
+  }
+  const jktools::Packed *line_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_LINE_PACKED);
+  }
+  const jktools::Packed *things_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_THINGS_PACKED);
+  }
+  const jktools::Packed *more_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MORE_PACKED);
+  }
+  const jktools::Packed *calls_per_second_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CALLS_PER_SECOND_PACKED);
+  }
+  const jktools::Packed *mean_sectors_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MEAN_SECTORS_PACKED);
+  }
+  const jktools::Packed *mean_surfaces_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MEAN_SURFACES_PACKED);
+  }
+  const jktools::Packed *most_sectors_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MOST_SECTORS_PACKED);
+  }
+  const jktools::Packed *most_surfaces_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MOST_SURFACES_PACKED);
+  }
+  const jktools::Packed *pairs_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_PAIRS_PACKED);
+  }
+  const jktools::Packed *verdict_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VERDICT_PACKED);
   }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
@@ -2048,6 +3623,32 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(pairs()) &&
            VerifyOffset(verifier, VT_VERDICT) &&
            verifier.VerifyVector(verdict()) &&
+           VerifyOffset(verifier, VT_COG_PACKED) &&
+           verifier.VerifyTable(cog_packed()) &&
+           VerifyOffset(verifier, VT_SCRIPT_PACKED) &&
+           verifier.VerifyTable(script_packed()) &&
+           VerifyOffset(verifier, VT_VERB_PACKED) &&
+           verifier.VerifyTable(verb_packed()) &&
+           VerifyOffset(verifier, VT_LINE_PACKED) &&
+           verifier.VerifyTable(line_packed()) &&
+           VerifyOffset(verifier, VT_THINGS_PACKED) &&
+           verifier.VerifyTable(things_packed()) &&
+           VerifyOffset(verifier, VT_MORE_PACKED) &&
+           verifier.VerifyTable(more_packed()) &&
+           VerifyOffset(verifier, VT_CALLS_PER_SECOND_PACKED) &&
+           verifier.VerifyTable(calls_per_second_packed()) &&
+           VerifyOffset(verifier, VT_MEAN_SECTORS_PACKED) &&
+           verifier.VerifyTable(mean_sectors_packed()) &&
+           VerifyOffset(verifier, VT_MEAN_SURFACES_PACKED) &&
+           verifier.VerifyTable(mean_surfaces_packed()) &&
+           VerifyOffset(verifier, VT_MOST_SECTORS_PACKED) &&
+           verifier.VerifyTable(most_sectors_packed()) &&
+           VerifyOffset(verifier, VT_MOST_SURFACES_PACKED) &&
+           verifier.VerifyTable(most_surfaces_packed()) &&
+           VerifyOffset(verifier, VT_PAIRS_PACKED) &&
+           verifier.VerifyTable(pairs_packed()) &&
+           VerifyOffset(verifier, VT_VERDICT_PACKED) &&
+           verifier.VerifyTable(verdict_packed()) &&
            verifier.EndTable();
   }
 };
@@ -2095,6 +3696,45 @@ struct HotspotsBuilder {
   void add_verdict(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> verdict) {
     fbb_.AddOffset(Hotspots::VT_VERDICT, verdict);
   }
+  void add_cog_packed(::flatbuffers::Offset<jktools::Packed> cog_packed) {
+    fbb_.AddOffset(Hotspots::VT_COG_PACKED, cog_packed);
+  }
+  void add_script_packed(::flatbuffers::Offset<jktools::Packed> script_packed) {
+    fbb_.AddOffset(Hotspots::VT_SCRIPT_PACKED, script_packed);
+  }
+  void add_verb_packed(::flatbuffers::Offset<jktools::Packed> verb_packed) {
+    fbb_.AddOffset(Hotspots::VT_VERB_PACKED, verb_packed);
+  }
+  void add_line_packed(::flatbuffers::Offset<jktools::Packed> line_packed) {
+    fbb_.AddOffset(Hotspots::VT_LINE_PACKED, line_packed);
+  }
+  void add_things_packed(::flatbuffers::Offset<jktools::Packed> things_packed) {
+    fbb_.AddOffset(Hotspots::VT_THINGS_PACKED, things_packed);
+  }
+  void add_more_packed(::flatbuffers::Offset<jktools::Packed> more_packed) {
+    fbb_.AddOffset(Hotspots::VT_MORE_PACKED, more_packed);
+  }
+  void add_calls_per_second_packed(::flatbuffers::Offset<jktools::Packed> calls_per_second_packed) {
+    fbb_.AddOffset(Hotspots::VT_CALLS_PER_SECOND_PACKED, calls_per_second_packed);
+  }
+  void add_mean_sectors_packed(::flatbuffers::Offset<jktools::Packed> mean_sectors_packed) {
+    fbb_.AddOffset(Hotspots::VT_MEAN_SECTORS_PACKED, mean_sectors_packed);
+  }
+  void add_mean_surfaces_packed(::flatbuffers::Offset<jktools::Packed> mean_surfaces_packed) {
+    fbb_.AddOffset(Hotspots::VT_MEAN_SURFACES_PACKED, mean_surfaces_packed);
+  }
+  void add_most_sectors_packed(::flatbuffers::Offset<jktools::Packed> most_sectors_packed) {
+    fbb_.AddOffset(Hotspots::VT_MOST_SECTORS_PACKED, most_sectors_packed);
+  }
+  void add_most_surfaces_packed(::flatbuffers::Offset<jktools::Packed> most_surfaces_packed) {
+    fbb_.AddOffset(Hotspots::VT_MOST_SURFACES_PACKED, most_surfaces_packed);
+  }
+  void add_pairs_packed(::flatbuffers::Offset<jktools::Packed> pairs_packed) {
+    fbb_.AddOffset(Hotspots::VT_PAIRS_PACKED, pairs_packed);
+  }
+  void add_verdict_packed(::flatbuffers::Offset<jktools::Packed> verdict_packed) {
+    fbb_.AddOffset(Hotspots::VT_VERDICT_PACKED, verdict_packed);
+  }
   explicit HotspotsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -2120,8 +3760,34 @@ inline ::flatbuffers::Offset<Hotspots> CreateHotspots(
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> most_sectors = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> most_surfaces = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> pairs = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> verdict = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> verdict = 0,
+    ::flatbuffers::Offset<jktools::Packed> cog_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> script_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> verb_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> line_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> things_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> more_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> calls_per_second_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> mean_sectors_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> mean_surfaces_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> most_sectors_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> most_surfaces_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> pairs_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> verdict_packed = 0) {
   HotspotsBuilder builder_(_fbb);
+  builder_.add_verdict_packed(verdict_packed);
+  builder_.add_pairs_packed(pairs_packed);
+  builder_.add_most_surfaces_packed(most_surfaces_packed);
+  builder_.add_most_sectors_packed(most_sectors_packed);
+  builder_.add_mean_surfaces_packed(mean_surfaces_packed);
+  builder_.add_mean_sectors_packed(mean_sectors_packed);
+  builder_.add_calls_per_second_packed(calls_per_second_packed);
+  builder_.add_more_packed(more_packed);
+  builder_.add_things_packed(things_packed);
+  builder_.add_line_packed(line_packed);
+  builder_.add_verb_packed(verb_packed);
+  builder_.add_script_packed(script_packed);
+  builder_.add_cog_packed(cog_packed);
   builder_.add_verdict(verdict);
   builder_.add_pairs(pairs);
   builder_.add_most_surfaces(most_surfaces);
@@ -2152,7 +3818,20 @@ inline ::flatbuffers::Offset<Hotspots> CreateHotspotsDirect(
     const std::vector<int32_t> *most_sectors = nullptr,
     const std::vector<int32_t> *most_surfaces = nullptr,
     const std::vector<int32_t> *pairs = nullptr,
-    const std::vector<int32_t> *verdict = nullptr) {
+    const std::vector<int32_t> *verdict = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> cog_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> script_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> verb_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> line_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> things_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> more_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> calls_per_second_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> mean_sectors_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> mean_surfaces_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> most_sectors_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> most_surfaces_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> pairs_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> verdict_packed = 0) {
   auto cog__ = cog ? _fbb.CreateVector<int32_t>(*cog) : 0;
   auto script__ = script ? _fbb.CreateVector<uint32_t>(*script) : 0;
   auto verb__ = verb ? _fbb.CreateVector<uint32_t>(*verb) : 0;
@@ -2180,7 +3859,20 @@ inline ::flatbuffers::Offset<Hotspots> CreateHotspotsDirect(
       most_sectors__,
       most_surfaces__,
       pairs__,
-      verdict__);
+      verdict__,
+      cog_packed,
+      script_packed,
+      verb_packed,
+      line_packed,
+      things_packed,
+      more_packed,
+      calls_per_second_packed,
+      mean_sectors_packed,
+      mean_surfaces_packed,
+      most_sectors_packed,
+      most_surfaces_packed,
+      pairs_packed,
+      verdict_packed);
 }
 
 /// Lights of things that neither physics nor a path moves, on the vertices of surfaces: without occlusion, intensity less
@@ -2194,7 +3886,14 @@ struct Lights FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_REACH = 10,
     VT_VERTEX_START = 12,
     VT_VERTEX = 14,
-    VT_AMOUNT = 16
+    VT_AMOUNT = 16,
+    VT_THING_PACKED = 18,
+    VT_POSITION_PACKED = 20,
+    VT_INTENSITY_PACKED = 22,
+    VT_REACH_PACKED = 24,
+    VT_VERTEX_START_PACKED = 26,
+    VT_VERTEX_PACKED = 28,
+    VT_AMOUNT_PACKED = 30
   };
   /// The thing, by its position in the section.
   const ::flatbuffers::Vector<int32_t> *thing() const {
@@ -2220,6 +3919,27 @@ struct Lights FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *amount() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_AMOUNT);
   }
+  const jktools::Packed *thing_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_THING_PACKED);
+  }
+  const jktools::Packed *position_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_POSITION_PACKED);
+  }
+  const jktools::Packed *intensity_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_INTENSITY_PACKED);
+  }
+  const jktools::Packed *reach_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_REACH_PACKED);
+  }
+  const jktools::Packed *vertex_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VERTEX_START_PACKED);
+  }
+  const jktools::Packed *vertex_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_VERTEX_PACKED);
+  }
+  const jktools::Packed *amount_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_AMOUNT_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -2237,6 +3957,20 @@ struct Lights FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(vertex()) &&
            VerifyOffset(verifier, VT_AMOUNT) &&
            verifier.VerifyVector(amount()) &&
+           VerifyOffset(verifier, VT_THING_PACKED) &&
+           verifier.VerifyTable(thing_packed()) &&
+           VerifyOffset(verifier, VT_POSITION_PACKED) &&
+           verifier.VerifyTable(position_packed()) &&
+           VerifyOffset(verifier, VT_INTENSITY_PACKED) &&
+           verifier.VerifyTable(intensity_packed()) &&
+           VerifyOffset(verifier, VT_REACH_PACKED) &&
+           verifier.VerifyTable(reach_packed()) &&
+           VerifyOffset(verifier, VT_VERTEX_START_PACKED) &&
+           verifier.VerifyTable(vertex_start_packed()) &&
+           VerifyOffset(verifier, VT_VERTEX_PACKED) &&
+           verifier.VerifyTable(vertex_packed()) &&
+           VerifyOffset(verifier, VT_AMOUNT_PACKED) &&
+           verifier.VerifyTable(amount_packed()) &&
            verifier.EndTable();
   }
 };
@@ -2266,6 +4000,27 @@ struct LightsBuilder {
   void add_amount(::flatbuffers::Offset<::flatbuffers::Vector<float>> amount) {
     fbb_.AddOffset(Lights::VT_AMOUNT, amount);
   }
+  void add_thing_packed(::flatbuffers::Offset<jktools::Packed> thing_packed) {
+    fbb_.AddOffset(Lights::VT_THING_PACKED, thing_packed);
+  }
+  void add_position_packed(::flatbuffers::Offset<jktools::Packed> position_packed) {
+    fbb_.AddOffset(Lights::VT_POSITION_PACKED, position_packed);
+  }
+  void add_intensity_packed(::flatbuffers::Offset<jktools::Packed> intensity_packed) {
+    fbb_.AddOffset(Lights::VT_INTENSITY_PACKED, intensity_packed);
+  }
+  void add_reach_packed(::flatbuffers::Offset<jktools::Packed> reach_packed) {
+    fbb_.AddOffset(Lights::VT_REACH_PACKED, reach_packed);
+  }
+  void add_vertex_start_packed(::flatbuffers::Offset<jktools::Packed> vertex_start_packed) {
+    fbb_.AddOffset(Lights::VT_VERTEX_START_PACKED, vertex_start_packed);
+  }
+  void add_vertex_packed(::flatbuffers::Offset<jktools::Packed> vertex_packed) {
+    fbb_.AddOffset(Lights::VT_VERTEX_PACKED, vertex_packed);
+  }
+  void add_amount_packed(::flatbuffers::Offset<jktools::Packed> amount_packed) {
+    fbb_.AddOffset(Lights::VT_AMOUNT_PACKED, amount_packed);
+  }
   explicit LightsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -2285,8 +4040,22 @@ inline ::flatbuffers::Offset<Lights> CreateLights(
     ::flatbuffers::Offset<::flatbuffers::Vector<float>> reach = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> vertex_start = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> vertex = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<float>> amount = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> amount = 0,
+    ::flatbuffers::Offset<jktools::Packed> thing_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> position_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> intensity_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> reach_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> vertex_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> vertex_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> amount_packed = 0) {
   LightsBuilder builder_(_fbb);
+  builder_.add_amount_packed(amount_packed);
+  builder_.add_vertex_packed(vertex_packed);
+  builder_.add_vertex_start_packed(vertex_start_packed);
+  builder_.add_reach_packed(reach_packed);
+  builder_.add_intensity_packed(intensity_packed);
+  builder_.add_position_packed(position_packed);
+  builder_.add_thing_packed(thing_packed);
   builder_.add_amount(amount);
   builder_.add_vertex(vertex);
   builder_.add_vertex_start(vertex_start);
@@ -2305,7 +4074,14 @@ inline ::flatbuffers::Offset<Lights> CreateLightsDirect(
     const std::vector<float> *reach = nullptr,
     const std::vector<uint32_t> *vertex_start = nullptr,
     const std::vector<int32_t> *vertex = nullptr,
-    const std::vector<float> *amount = nullptr) {
+    const std::vector<float> *amount = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> thing_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> position_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> intensity_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> reach_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> vertex_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> vertex_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> amount_packed = 0) {
   auto thing__ = thing ? _fbb.CreateVector<int32_t>(*thing) : 0;
   auto position__ = position ? _fbb.CreateVector<float>(*position) : 0;
   auto intensity__ = intensity ? _fbb.CreateVector<float>(*intensity) : 0;
@@ -2321,10 +4097,18 @@ inline ::flatbuffers::Offset<Lights> CreateLightsDirect(
       reach__,
       vertex_start__,
       vertex__,
-      amount__);
+      amount__,
+      thing_packed,
+      position_packed,
+      intensity_packed,
+      reach_packed,
+      vertex_start_packed,
+      vertex_packed,
+      amount_packed);
 }
 
-/// Templates of type particle that the level can reach, as the engine takes their values.
+/// Templates of type particle that the level can reach, as the engine takes their values. Of a cloud that is made of a PAR
+/// file, count, size and material are the file's, and its places: range, minsize, pitchrange and yawrange then do nothing.
 struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef ParticlesBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
@@ -2341,7 +4125,21 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_ELEMENTSIZE = 24,
     VT_PITCHRANGE = 26,
     VT_YAWRANGE = 28,
-    VT_LIGHT_MODE = 30
+    VT_LIGHT_MODE = 30,
+    VT_TEMPLATE_PACKED = 32,
+    VT_MATERIAL_PACKED = 34,
+    VT_CELS_PACKED = 36,
+    VT_SPAWNED_PACKED = 38,
+    VT_TIMER_MS_PACKED = 40,
+    VT_FLAGS_PACKED = 42,
+    VT_RANGE_PACKED = 44,
+    VT_MINSIZE_PACKED = 46,
+    VT_LOST_A_STEP_PACKED = 48,
+    VT_MAXTHRUST_PACKED = 50,
+    VT_ELEMENTSIZE_PACKED = 52,
+    VT_PITCHRANGE_PACKED = 54,
+    VT_YAWRANGE_PACKED = 56,
+    VT_LIGHT_MODE_PACKED = 58
   };
   /// The template, by its position in the section.
   const ::flatbuffers::Vector<int32_t> *template_() const {
@@ -2354,7 +4152,7 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *cels() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CELS);
   }
-  /// Particles that are created: the count from 0 to 256.
+  /// Particles that are created: the count from 0 to 256; -1 for a PAR file that is not at hand.
   const ::flatbuffers::Vector<int32_t> *spawned() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SPAWNED);
   }
@@ -2379,6 +4177,7 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *maxthrust() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_MAXTHRUST);
   }
+  /// NaN for a PAR file that is not at hand.
   const ::flatbuffers::Vector<float> *elementsize() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_ELEMENTSIZE);
   }
@@ -2388,9 +4187,51 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *yawrange() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_YAWRANGE);
   }
-  /// 0 fully bright, 2 lit.
+  /// 0 fully bright, 2 lit; -1 where a PAR file says it.
   const ::flatbuffers::Vector<int32_t> *light_mode() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_LIGHT_MODE);
+  }
+  const jktools::Packed *template_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_TEMPLATE_PACKED);
+  }
+  const jktools::Packed *material_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MATERIAL_PACKED);
+  }
+  const jktools::Packed *cels_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CELS_PACKED);
+  }
+  const jktools::Packed *spawned_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SPAWNED_PACKED);
+  }
+  const jktools::Packed *timer_ms_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_TIMER_MS_PACKED);
+  }
+  const jktools::Packed *flags_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_FLAGS_PACKED);
+  }
+  const jktools::Packed *range_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_RANGE_PACKED);
+  }
+  const jktools::Packed *minsize_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MINSIZE_PACKED);
+  }
+  const jktools::Packed *lost_a_step_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_LOST_A_STEP_PACKED);
+  }
+  const jktools::Packed *maxthrust_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_MAXTHRUST_PACKED);
+  }
+  const jktools::Packed *elementsize_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ELEMENTSIZE_PACKED);
+  }
+  const jktools::Packed *pitchrange_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_PITCHRANGE_PACKED);
+  }
+  const jktools::Packed *yawrange_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_YAWRANGE_PACKED);
+  }
+  const jktools::Packed *light_mode_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_LIGHT_MODE_PACKED);
   }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
@@ -2423,6 +4264,34 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(yawrange()) &&
            VerifyOffset(verifier, VT_LIGHT_MODE) &&
            verifier.VerifyVector(light_mode()) &&
+           VerifyOffset(verifier, VT_TEMPLATE_PACKED) &&
+           verifier.VerifyTable(template_packed()) &&
+           VerifyOffset(verifier, VT_MATERIAL_PACKED) &&
+           verifier.VerifyTable(material_packed()) &&
+           VerifyOffset(verifier, VT_CELS_PACKED) &&
+           verifier.VerifyTable(cels_packed()) &&
+           VerifyOffset(verifier, VT_SPAWNED_PACKED) &&
+           verifier.VerifyTable(spawned_packed()) &&
+           VerifyOffset(verifier, VT_TIMER_MS_PACKED) &&
+           verifier.VerifyTable(timer_ms_packed()) &&
+           VerifyOffset(verifier, VT_FLAGS_PACKED) &&
+           verifier.VerifyTable(flags_packed()) &&
+           VerifyOffset(verifier, VT_RANGE_PACKED) &&
+           verifier.VerifyTable(range_packed()) &&
+           VerifyOffset(verifier, VT_MINSIZE_PACKED) &&
+           verifier.VerifyTable(minsize_packed()) &&
+           VerifyOffset(verifier, VT_LOST_A_STEP_PACKED) &&
+           verifier.VerifyTable(lost_a_step_packed()) &&
+           VerifyOffset(verifier, VT_MAXTHRUST_PACKED) &&
+           verifier.VerifyTable(maxthrust_packed()) &&
+           VerifyOffset(verifier, VT_ELEMENTSIZE_PACKED) &&
+           verifier.VerifyTable(elementsize_packed()) &&
+           VerifyOffset(verifier, VT_PITCHRANGE_PACKED) &&
+           verifier.VerifyTable(pitchrange_packed()) &&
+           VerifyOffset(verifier, VT_YAWRANGE_PACKED) &&
+           verifier.VerifyTable(yawrange_packed()) &&
+           VerifyOffset(verifier, VT_LIGHT_MODE_PACKED) &&
+           verifier.VerifyTable(light_mode_packed()) &&
            verifier.EndTable();
   }
 };
@@ -2473,6 +4342,48 @@ struct ParticlesBuilder {
   void add_light_mode(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> light_mode) {
     fbb_.AddOffset(Particles::VT_LIGHT_MODE, light_mode);
   }
+  void add_template_packed(::flatbuffers::Offset<jktools::Packed> template_packed) {
+    fbb_.AddOffset(Particles::VT_TEMPLATE_PACKED, template_packed);
+  }
+  void add_material_packed(::flatbuffers::Offset<jktools::Packed> material_packed) {
+    fbb_.AddOffset(Particles::VT_MATERIAL_PACKED, material_packed);
+  }
+  void add_cels_packed(::flatbuffers::Offset<jktools::Packed> cels_packed) {
+    fbb_.AddOffset(Particles::VT_CELS_PACKED, cels_packed);
+  }
+  void add_spawned_packed(::flatbuffers::Offset<jktools::Packed> spawned_packed) {
+    fbb_.AddOffset(Particles::VT_SPAWNED_PACKED, spawned_packed);
+  }
+  void add_timer_ms_packed(::flatbuffers::Offset<jktools::Packed> timer_ms_packed) {
+    fbb_.AddOffset(Particles::VT_TIMER_MS_PACKED, timer_ms_packed);
+  }
+  void add_flags_packed(::flatbuffers::Offset<jktools::Packed> flags_packed) {
+    fbb_.AddOffset(Particles::VT_FLAGS_PACKED, flags_packed);
+  }
+  void add_range_packed(::flatbuffers::Offset<jktools::Packed> range_packed) {
+    fbb_.AddOffset(Particles::VT_RANGE_PACKED, range_packed);
+  }
+  void add_minsize_packed(::flatbuffers::Offset<jktools::Packed> minsize_packed) {
+    fbb_.AddOffset(Particles::VT_MINSIZE_PACKED, minsize_packed);
+  }
+  void add_lost_a_step_packed(::flatbuffers::Offset<jktools::Packed> lost_a_step_packed) {
+    fbb_.AddOffset(Particles::VT_LOST_A_STEP_PACKED, lost_a_step_packed);
+  }
+  void add_maxthrust_packed(::flatbuffers::Offset<jktools::Packed> maxthrust_packed) {
+    fbb_.AddOffset(Particles::VT_MAXTHRUST_PACKED, maxthrust_packed);
+  }
+  void add_elementsize_packed(::flatbuffers::Offset<jktools::Packed> elementsize_packed) {
+    fbb_.AddOffset(Particles::VT_ELEMENTSIZE_PACKED, elementsize_packed);
+  }
+  void add_pitchrange_packed(::flatbuffers::Offset<jktools::Packed> pitchrange_packed) {
+    fbb_.AddOffset(Particles::VT_PITCHRANGE_PACKED, pitchrange_packed);
+  }
+  void add_yawrange_packed(::flatbuffers::Offset<jktools::Packed> yawrange_packed) {
+    fbb_.AddOffset(Particles::VT_YAWRANGE_PACKED, yawrange_packed);
+  }
+  void add_light_mode_packed(::flatbuffers::Offset<jktools::Packed> light_mode_packed) {
+    fbb_.AddOffset(Particles::VT_LIGHT_MODE_PACKED, light_mode_packed);
+  }
   explicit ParticlesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -2499,8 +4410,36 @@ inline ::flatbuffers::Offset<Particles> CreateParticles(
     ::flatbuffers::Offset<::flatbuffers::Vector<float>> elementsize = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<float>> pitchrange = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<float>> yawrange = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> light_mode = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> light_mode = 0,
+    ::flatbuffers::Offset<jktools::Packed> template_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> material_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> cels_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> spawned_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> timer_ms_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> range_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> minsize_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> lost_a_step_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> maxthrust_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> elementsize_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> pitchrange_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> yawrange_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> light_mode_packed = 0) {
   ParticlesBuilder builder_(_fbb);
+  builder_.add_light_mode_packed(light_mode_packed);
+  builder_.add_yawrange_packed(yawrange_packed);
+  builder_.add_pitchrange_packed(pitchrange_packed);
+  builder_.add_elementsize_packed(elementsize_packed);
+  builder_.add_maxthrust_packed(maxthrust_packed);
+  builder_.add_lost_a_step_packed(lost_a_step_packed);
+  builder_.add_minsize_packed(minsize_packed);
+  builder_.add_range_packed(range_packed);
+  builder_.add_flags_packed(flags_packed);
+  builder_.add_timer_ms_packed(timer_ms_packed);
+  builder_.add_spawned_packed(spawned_packed);
+  builder_.add_cels_packed(cels_packed);
+  builder_.add_material_packed(material_packed);
+  builder_.add_template_packed(template_packed);
   builder_.add_light_mode(light_mode);
   builder_.add_yawrange(yawrange);
   builder_.add_pitchrange(pitchrange);
@@ -2533,7 +4472,21 @@ inline ::flatbuffers::Offset<Particles> CreateParticlesDirect(
     const std::vector<float> *elementsize = nullptr,
     const std::vector<float> *pitchrange = nullptr,
     const std::vector<float> *yawrange = nullptr,
-    const std::vector<int32_t> *light_mode = nullptr) {
+    const std::vector<int32_t> *light_mode = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> template_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> material_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> cels_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> spawned_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> timer_ms_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> range_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> minsize_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> lost_a_step_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> maxthrust_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> elementsize_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> pitchrange_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> yawrange_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> light_mode_packed = 0) {
   auto template___ = template_ ? _fbb.CreateVector<int32_t>(*template_) : 0;
   auto material__ = material ? _fbb.CreateVector<int32_t>(*material) : 0;
   auto cels__ = cels ? _fbb.CreateVector<int32_t>(*cels) : 0;
@@ -2563,7 +4516,21 @@ inline ::flatbuffers::Offset<Particles> CreateParticlesDirect(
       elementsize__,
       pitchrange__,
       yawrange__,
-      light_mode__);
+      light_mode__,
+      template_packed,
+      material_packed,
+      cels_packed,
+      spawned_packed,
+      timer_ms_packed,
+      flags_packed,
+      range_packed,
+      minsize_packed,
+      lost_a_step_packed,
+      maxthrust_packed,
+      elementsize_packed,
+      pitchrange_packed,
+      yawrange_packed,
+      light_mode_packed);
 }
 
 /// Calls of NewColorEffect with known arguments, one row for each palette at hand.
@@ -2575,7 +4542,13 @@ struct ColourEffects FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_LINE = 8,
     VT_ARGUMENT = 10,
     VT_COLORMAP = 12,
-    VT_PALETTE = 14
+    VT_PALETTE = 14,
+    VT_COG_PACKED = 16,
+    VT_SCRIPT_PACKED = 18,
+    VT_LINE_PACKED = 20,
+    VT_ARGUMENT_PACKED = 22,
+    VT_COLORMAP_PACKED = 24,
+    VT_PALETTE_PACKED = 26
   };
   /// The placed COG, by its position in the section; -1 for a class COG.
   const ::flatbuffers::Vector<int32_t> *cog() const {
@@ -2600,6 +4573,24 @@ struct ColourEffects FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *palette() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_PALETTE);
   }
+  const jktools::Packed *cog_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_COG_PACKED);
+  }
+  const jktools::Packed *script_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SCRIPT_PACKED);
+  }
+  const jktools::Packed *line_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_LINE_PACKED);
+  }
+  const jktools::Packed *argument_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ARGUMENT_PACKED);
+  }
+  const jktools::Packed *colormap_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_COLORMAP_PACKED);
+  }
+  const jktools::Packed *palette_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_PALETTE_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -2615,6 +4606,18 @@ struct ColourEffects FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(colormap()) &&
            VerifyOffset(verifier, VT_PALETTE) &&
            verifier.VerifyVector(palette()) &&
+           VerifyOffset(verifier, VT_COG_PACKED) &&
+           verifier.VerifyTable(cog_packed()) &&
+           VerifyOffset(verifier, VT_SCRIPT_PACKED) &&
+           verifier.VerifyTable(script_packed()) &&
+           VerifyOffset(verifier, VT_LINE_PACKED) &&
+           verifier.VerifyTable(line_packed()) &&
+           VerifyOffset(verifier, VT_ARGUMENT_PACKED) &&
+           verifier.VerifyTable(argument_packed()) &&
+           VerifyOffset(verifier, VT_COLORMAP_PACKED) &&
+           verifier.VerifyTable(colormap_packed()) &&
+           VerifyOffset(verifier, VT_PALETTE_PACKED) &&
+           verifier.VerifyTable(palette_packed()) &&
            verifier.EndTable();
   }
 };
@@ -2641,6 +4644,24 @@ struct ColourEffectsBuilder {
   void add_palette(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> palette) {
     fbb_.AddOffset(ColourEffects::VT_PALETTE, palette);
   }
+  void add_cog_packed(::flatbuffers::Offset<jktools::Packed> cog_packed) {
+    fbb_.AddOffset(ColourEffects::VT_COG_PACKED, cog_packed);
+  }
+  void add_script_packed(::flatbuffers::Offset<jktools::Packed> script_packed) {
+    fbb_.AddOffset(ColourEffects::VT_SCRIPT_PACKED, script_packed);
+  }
+  void add_line_packed(::flatbuffers::Offset<jktools::Packed> line_packed) {
+    fbb_.AddOffset(ColourEffects::VT_LINE_PACKED, line_packed);
+  }
+  void add_argument_packed(::flatbuffers::Offset<jktools::Packed> argument_packed) {
+    fbb_.AddOffset(ColourEffects::VT_ARGUMENT_PACKED, argument_packed);
+  }
+  void add_colormap_packed(::flatbuffers::Offset<jktools::Packed> colormap_packed) {
+    fbb_.AddOffset(ColourEffects::VT_COLORMAP_PACKED, colormap_packed);
+  }
+  void add_palette_packed(::flatbuffers::Offset<jktools::Packed> palette_packed) {
+    fbb_.AddOffset(ColourEffects::VT_PALETTE_PACKED, palette_packed);
+  }
   explicit ColourEffectsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -2659,8 +4680,20 @@ inline ::flatbuffers::Offset<ColourEffects> CreateColourEffects(
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> line = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<double>> argument = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> colormap = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> palette = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> palette = 0,
+    ::flatbuffers::Offset<jktools::Packed> cog_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> script_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> line_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> argument_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> colormap_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> palette_packed = 0) {
   ColourEffectsBuilder builder_(_fbb);
+  builder_.add_palette_packed(palette_packed);
+  builder_.add_colormap_packed(colormap_packed);
+  builder_.add_argument_packed(argument_packed);
+  builder_.add_line_packed(line_packed);
+  builder_.add_script_packed(script_packed);
+  builder_.add_cog_packed(cog_packed);
   builder_.add_palette(palette);
   builder_.add_colormap(colormap);
   builder_.add_argument(argument);
@@ -2677,7 +4710,13 @@ inline ::flatbuffers::Offset<ColourEffects> CreateColourEffectsDirect(
     const std::vector<int32_t> *line = nullptr,
     const std::vector<double> *argument = nullptr,
     const std::vector<int32_t> *colormap = nullptr,
-    const std::vector<uint8_t> *palette = nullptr) {
+    const std::vector<uint8_t> *palette = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> cog_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> script_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> line_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> argument_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> colormap_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> palette_packed = 0) {
   auto cog__ = cog ? _fbb.CreateVector<int32_t>(*cog) : 0;
   auto script__ = script ? _fbb.CreateVector<uint32_t>(*script) : 0;
   auto line__ = line ? _fbb.CreateVector<int32_t>(*line) : 0;
@@ -2691,7 +4730,13 @@ inline ::flatbuffers::Offset<ColourEffects> CreateColourEffectsDirect(
       line__,
       argument__,
       colormap__,
-      palette__);
+      palette__,
+      cog_packed,
+      script_packed,
+      line_packed,
+      argument_packed,
+      colormap_packed,
+      palette_packed);
 }
 
 /// Templates of actors and players that the level can reach: how they move on flat ground, in the level's gravity. JKU and
@@ -2712,7 +4757,21 @@ struct Motion FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_JUMP_HEIGHT = 24,
     VT_CROUCHED_JUMP_HEIGHT = 26,
     VT_JUMP_REACH = 28,
-    VT_RUN_JUMP_REACH = 30
+    VT_RUN_JUMP_REACH = 30,
+    VT_TEMPLATE_PACKED = 32,
+    VT_WALK_PACKED = 34,
+    VT_BACK_PACKED = 36,
+    VT_STRAFE_PACKED = 38,
+    VT_RUN_PACKED = 40,
+    VT_CROUCH_PACKED = 42,
+    VT_AIR_PACKED = 44,
+    VT_SWIM_PACKED = 46,
+    VT_STOP_WALK_PACKED = 48,
+    VT_STOP_RUN_PACKED = 50,
+    VT_JUMP_HEIGHT_PACKED = 52,
+    VT_CROUCHED_JUMP_HEIGHT_PACKED = 54,
+    VT_JUMP_REACH_PACKED = 56,
+    VT_RUN_JUMP_REACH_PACKED = 58
   };
   /// The template, by its position in the section.
   const ::flatbuffers::Vector<int32_t> *template_() const {
@@ -2746,18 +4805,62 @@ struct Motion FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<double> *stop_run() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_STOP_RUN);
   }
+  /// Jumps at 50 frames a second; at `fast` by the closed form, at `exact` the least over 10 to 120 frames a second.
   const ::flatbuffers::Vector<double> *jump_height() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_JUMP_HEIGHT);
   }
   const ::flatbuffers::Vector<double> *crouched_jump_height() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_CROUCHED_JUMP_HEIGHT);
   }
-  /// Over level ground, from a walk and from a run.
+  /// Until the body is as high again as it started, from a walk and from a run, the forward key held: not until it lands,
+  /// which the hover height decides.
   const ::flatbuffers::Vector<double> *jump_reach() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_JUMP_REACH);
   }
   const ::flatbuffers::Vector<double> *run_jump_reach() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_RUN_JUMP_REACH);
+  }
+  const jktools::Packed *template_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_TEMPLATE_PACKED);
+  }
+  const jktools::Packed *walk_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_WALK_PACKED);
+  }
+  const jktools::Packed *back_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BACK_PACKED);
+  }
+  const jktools::Packed *strafe_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_STRAFE_PACKED);
+  }
+  const jktools::Packed *run_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_RUN_PACKED);
+  }
+  const jktools::Packed *crouch_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CROUCH_PACKED);
+  }
+  const jktools::Packed *air_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_AIR_PACKED);
+  }
+  const jktools::Packed *swim_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SWIM_PACKED);
+  }
+  const jktools::Packed *stop_walk_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_STOP_WALK_PACKED);
+  }
+  const jktools::Packed *stop_run_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_STOP_RUN_PACKED);
+  }
+  const jktools::Packed *jump_height_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_JUMP_HEIGHT_PACKED);
+  }
+  const jktools::Packed *crouched_jump_height_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CROUCHED_JUMP_HEIGHT_PACKED);
+  }
+  const jktools::Packed *jump_reach_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_JUMP_REACH_PACKED);
+  }
+  const jktools::Packed *run_jump_reach_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_RUN_JUMP_REACH_PACKED);
   }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
@@ -2790,6 +4893,34 @@ struct Motion FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(jump_reach()) &&
            VerifyOffset(verifier, VT_RUN_JUMP_REACH) &&
            verifier.VerifyVector(run_jump_reach()) &&
+           VerifyOffset(verifier, VT_TEMPLATE_PACKED) &&
+           verifier.VerifyTable(template_packed()) &&
+           VerifyOffset(verifier, VT_WALK_PACKED) &&
+           verifier.VerifyTable(walk_packed()) &&
+           VerifyOffset(verifier, VT_BACK_PACKED) &&
+           verifier.VerifyTable(back_packed()) &&
+           VerifyOffset(verifier, VT_STRAFE_PACKED) &&
+           verifier.VerifyTable(strafe_packed()) &&
+           VerifyOffset(verifier, VT_RUN_PACKED) &&
+           verifier.VerifyTable(run_packed()) &&
+           VerifyOffset(verifier, VT_CROUCH_PACKED) &&
+           verifier.VerifyTable(crouch_packed()) &&
+           VerifyOffset(verifier, VT_AIR_PACKED) &&
+           verifier.VerifyTable(air_packed()) &&
+           VerifyOffset(verifier, VT_SWIM_PACKED) &&
+           verifier.VerifyTable(swim_packed()) &&
+           VerifyOffset(verifier, VT_STOP_WALK_PACKED) &&
+           verifier.VerifyTable(stop_walk_packed()) &&
+           VerifyOffset(verifier, VT_STOP_RUN_PACKED) &&
+           verifier.VerifyTable(stop_run_packed()) &&
+           VerifyOffset(verifier, VT_JUMP_HEIGHT_PACKED) &&
+           verifier.VerifyTable(jump_height_packed()) &&
+           VerifyOffset(verifier, VT_CROUCHED_JUMP_HEIGHT_PACKED) &&
+           verifier.VerifyTable(crouched_jump_height_packed()) &&
+           VerifyOffset(verifier, VT_JUMP_REACH_PACKED) &&
+           verifier.VerifyTable(jump_reach_packed()) &&
+           VerifyOffset(verifier, VT_RUN_JUMP_REACH_PACKED) &&
+           verifier.VerifyTable(run_jump_reach_packed()) &&
            verifier.EndTable();
   }
 };
@@ -2840,6 +4971,48 @@ struct MotionBuilder {
   void add_run_jump_reach(::flatbuffers::Offset<::flatbuffers::Vector<double>> run_jump_reach) {
     fbb_.AddOffset(Motion::VT_RUN_JUMP_REACH, run_jump_reach);
   }
+  void add_template_packed(::flatbuffers::Offset<jktools::Packed> template_packed) {
+    fbb_.AddOffset(Motion::VT_TEMPLATE_PACKED, template_packed);
+  }
+  void add_walk_packed(::flatbuffers::Offset<jktools::Packed> walk_packed) {
+    fbb_.AddOffset(Motion::VT_WALK_PACKED, walk_packed);
+  }
+  void add_back_packed(::flatbuffers::Offset<jktools::Packed> back_packed) {
+    fbb_.AddOffset(Motion::VT_BACK_PACKED, back_packed);
+  }
+  void add_strafe_packed(::flatbuffers::Offset<jktools::Packed> strafe_packed) {
+    fbb_.AddOffset(Motion::VT_STRAFE_PACKED, strafe_packed);
+  }
+  void add_run_packed(::flatbuffers::Offset<jktools::Packed> run_packed) {
+    fbb_.AddOffset(Motion::VT_RUN_PACKED, run_packed);
+  }
+  void add_crouch_packed(::flatbuffers::Offset<jktools::Packed> crouch_packed) {
+    fbb_.AddOffset(Motion::VT_CROUCH_PACKED, crouch_packed);
+  }
+  void add_air_packed(::flatbuffers::Offset<jktools::Packed> air_packed) {
+    fbb_.AddOffset(Motion::VT_AIR_PACKED, air_packed);
+  }
+  void add_swim_packed(::flatbuffers::Offset<jktools::Packed> swim_packed) {
+    fbb_.AddOffset(Motion::VT_SWIM_PACKED, swim_packed);
+  }
+  void add_stop_walk_packed(::flatbuffers::Offset<jktools::Packed> stop_walk_packed) {
+    fbb_.AddOffset(Motion::VT_STOP_WALK_PACKED, stop_walk_packed);
+  }
+  void add_stop_run_packed(::flatbuffers::Offset<jktools::Packed> stop_run_packed) {
+    fbb_.AddOffset(Motion::VT_STOP_RUN_PACKED, stop_run_packed);
+  }
+  void add_jump_height_packed(::flatbuffers::Offset<jktools::Packed> jump_height_packed) {
+    fbb_.AddOffset(Motion::VT_JUMP_HEIGHT_PACKED, jump_height_packed);
+  }
+  void add_crouched_jump_height_packed(::flatbuffers::Offset<jktools::Packed> crouched_jump_height_packed) {
+    fbb_.AddOffset(Motion::VT_CROUCHED_JUMP_HEIGHT_PACKED, crouched_jump_height_packed);
+  }
+  void add_jump_reach_packed(::flatbuffers::Offset<jktools::Packed> jump_reach_packed) {
+    fbb_.AddOffset(Motion::VT_JUMP_REACH_PACKED, jump_reach_packed);
+  }
+  void add_run_jump_reach_packed(::flatbuffers::Offset<jktools::Packed> run_jump_reach_packed) {
+    fbb_.AddOffset(Motion::VT_RUN_JUMP_REACH_PACKED, run_jump_reach_packed);
+  }
   explicit MotionBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -2866,8 +5039,36 @@ inline ::flatbuffers::Offset<Motion> CreateMotion(
     ::flatbuffers::Offset<::flatbuffers::Vector<double>> jump_height = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<double>> crouched_jump_height = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<double>> jump_reach = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<double>> run_jump_reach = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<double>> run_jump_reach = 0,
+    ::flatbuffers::Offset<jktools::Packed> template_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> walk_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> back_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> strafe_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> run_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> crouch_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> air_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> swim_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> stop_walk_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> stop_run_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> jump_height_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> crouched_jump_height_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> jump_reach_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> run_jump_reach_packed = 0) {
   MotionBuilder builder_(_fbb);
+  builder_.add_run_jump_reach_packed(run_jump_reach_packed);
+  builder_.add_jump_reach_packed(jump_reach_packed);
+  builder_.add_crouched_jump_height_packed(crouched_jump_height_packed);
+  builder_.add_jump_height_packed(jump_height_packed);
+  builder_.add_stop_run_packed(stop_run_packed);
+  builder_.add_stop_walk_packed(stop_walk_packed);
+  builder_.add_swim_packed(swim_packed);
+  builder_.add_air_packed(air_packed);
+  builder_.add_crouch_packed(crouch_packed);
+  builder_.add_run_packed(run_packed);
+  builder_.add_strafe_packed(strafe_packed);
+  builder_.add_back_packed(back_packed);
+  builder_.add_walk_packed(walk_packed);
+  builder_.add_template_packed(template_packed);
   builder_.add_run_jump_reach(run_jump_reach);
   builder_.add_jump_reach(jump_reach);
   builder_.add_crouched_jump_height(crouched_jump_height);
@@ -2900,7 +5101,21 @@ inline ::flatbuffers::Offset<Motion> CreateMotionDirect(
     const std::vector<double> *jump_height = nullptr,
     const std::vector<double> *crouched_jump_height = nullptr,
     const std::vector<double> *jump_reach = nullptr,
-    const std::vector<double> *run_jump_reach = nullptr) {
+    const std::vector<double> *run_jump_reach = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> template_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> walk_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> back_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> strafe_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> run_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> crouch_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> air_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> swim_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> stop_walk_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> stop_run_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> jump_height_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> crouched_jump_height_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> jump_reach_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> run_jump_reach_packed = 0) {
   auto template___ = template_ ? _fbb.CreateVector<int32_t>(*template_) : 0;
   auto walk__ = walk ? _fbb.CreateVector<double>(*walk) : 0;
   auto back__ = back ? _fbb.CreateVector<double>(*back) : 0;
@@ -2930,7 +5145,21 @@ inline ::flatbuffers::Offset<Motion> CreateMotionDirect(
       jump_height__,
       crouched_jump_height__,
       jump_reach__,
-      run_jump_reach__);
+      run_jump_reach__,
+      template_packed,
+      walk_packed,
+      back_packed,
+      strafe_packed,
+      run_packed,
+      crouch_packed,
+      air_packed,
+      swim_packed,
+      stop_walk_packed,
+      stop_run_packed,
+      jump_height_packed,
+      crouched_jump_height_packed,
+      jump_reach_packed,
+      run_jump_reach_packed);
 }
 
 /// What walking bodies meet beyond the edges of floors. An edge that is not listed is level: the floor goes on.
@@ -2958,11 +5187,37 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_DROP_START = 40,
     VT_DROP_END = 42,
     VT_TRAITS = 44,
-    VT_CARRIER = 46,
-    VT_CARRIER_FRAME = 48,
-    VT_CARRIER_FACE = 50,
-    VT_ONTO = 52,
-    VT_ONTO_FACE = 54
+    VT_BODY_MOVESIZE_PACKED = 46,
+    VT_BODY_HOVER_PACKED = 48,
+    VT_BODY_REATTACH_PACKED = 50,
+    VT_BODY_STEP_PACKED = 52,
+    VT_BODY_JUMP_PACKED = 54,
+    VT_BODY_PHYSICS_FLAGS_PACKED = 56,
+    VT_BODY_PLAYER_PACKED = 58,
+    VT_BODY_NAME_START_PACKED = 60,
+    VT_BODY_NAME_PACKED = 62,
+    VT_BODY_LEDGE_START_PACKED = 64,
+    VT_SURFACE_PACKED = 66,
+    VT_CORNER_PACKED = 68,
+    VT_START_PACKED = 70,
+    VT_END_PACKED = 72,
+    VT_KIND_PACKED = 74,
+    VT_OTHER_KIND_PACKED = 76,
+    VT_BELOW_PACKED = 78,
+    VT_THING_PACKED = 80,
+    VT_DROP_START_PACKED = 82,
+    VT_DROP_END_PACKED = 84,
+    VT_TRAITS_PACKED = 86,
+    VT_CARRIER = 88,
+    VT_CARRIER_FRAME = 90,
+    VT_CARRIER_FACE = 92,
+    VT_ONTO = 94,
+    VT_ONTO_FACE = 96,
+    VT_CARRIER_PACKED = 98,
+    VT_CARRIER_FRAME_PACKED = 100,
+    VT_CARRIER_FACE_PACKED = 102,
+    VT_ONTO_PACKED = 104,
+    VT_ONTO_FACE_PACKED = 106
   };
   /// The distinct bodies. A body whose hover height is not known (NaN) has no ledges and no basins.
   const ::flatbuffers::Vector<float> *body_movesize() const {
@@ -3041,6 +5296,69 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *traits() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_TRAITS);
   }
+  const jktools::Packed *body_movesize_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_MOVESIZE_PACKED);
+  }
+  const jktools::Packed *body_hover_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_HOVER_PACKED);
+  }
+  const jktools::Packed *body_reattach_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_REATTACH_PACKED);
+  }
+  const jktools::Packed *body_step_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_STEP_PACKED);
+  }
+  const jktools::Packed *body_jump_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_JUMP_PACKED);
+  }
+  const jktools::Packed *body_physics_flags_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_PHYSICS_FLAGS_PACKED);
+  }
+  const jktools::Packed *body_player_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_PLAYER_PACKED);
+  }
+  const jktools::Packed *body_name_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_NAME_START_PACKED);
+  }
+  const jktools::Packed *body_name_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_NAME_PACKED);
+  }
+  const jktools::Packed *body_ledge_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_LEDGE_START_PACKED);
+  }
+  const jktools::Packed *surface_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_PACKED);
+  }
+  const jktools::Packed *corner_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CORNER_PACKED);
+  }
+  const jktools::Packed *start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_START_PACKED);
+  }
+  const jktools::Packed *end_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_END_PACKED);
+  }
+  const jktools::Packed *kind_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_KIND_PACKED);
+  }
+  const jktools::Packed *other_kind_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_OTHER_KIND_PACKED);
+  }
+  const jktools::Packed *below_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BELOW_PACKED);
+  }
+  const jktools::Packed *thing_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_THING_PACKED);
+  }
+  const jktools::Packed *drop_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_DROP_START_PACKED);
+  }
+  const jktools::Packed *drop_end_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_DROP_END_PACKED);
+  }
+  const jktools::Packed *traits_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_TRAITS_PACKED);
+  }
   /// For the edge of a thing: its source index, where it is (-1 as it is placed, else its frame) and the face of its
   /// model at rest; -1 for a surface's.
   const ::flatbuffers::Vector<int32_t> *carrier() const {
@@ -3058,6 +5376,21 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   }
   const ::flatbuffers::Vector<int32_t> *onto_face() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ONTO_FACE);
+  }
+  const jktools::Packed *carrier_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CARRIER_PACKED);
+  }
+  const jktools::Packed *carrier_frame_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CARRIER_FRAME_PACKED);
+  }
+  const jktools::Packed *carrier_face_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_CARRIER_FACE_PACKED);
+  }
+  const jktools::Packed *onto_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ONTO_PACKED);
+  }
+  const jktools::Packed *onto_face_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ONTO_FACE_PACKED);
   }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
@@ -3104,6 +5437,48 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(drop_end()) &&
            VerifyOffset(verifier, VT_TRAITS) &&
            verifier.VerifyVector(traits()) &&
+           VerifyOffset(verifier, VT_BODY_MOVESIZE_PACKED) &&
+           verifier.VerifyTable(body_movesize_packed()) &&
+           VerifyOffset(verifier, VT_BODY_HOVER_PACKED) &&
+           verifier.VerifyTable(body_hover_packed()) &&
+           VerifyOffset(verifier, VT_BODY_REATTACH_PACKED) &&
+           verifier.VerifyTable(body_reattach_packed()) &&
+           VerifyOffset(verifier, VT_BODY_STEP_PACKED) &&
+           verifier.VerifyTable(body_step_packed()) &&
+           VerifyOffset(verifier, VT_BODY_JUMP_PACKED) &&
+           verifier.VerifyTable(body_jump_packed()) &&
+           VerifyOffset(verifier, VT_BODY_PHYSICS_FLAGS_PACKED) &&
+           verifier.VerifyTable(body_physics_flags_packed()) &&
+           VerifyOffset(verifier, VT_BODY_PLAYER_PACKED) &&
+           verifier.VerifyTable(body_player_packed()) &&
+           VerifyOffset(verifier, VT_BODY_NAME_START_PACKED) &&
+           verifier.VerifyTable(body_name_start_packed()) &&
+           VerifyOffset(verifier, VT_BODY_NAME_PACKED) &&
+           verifier.VerifyTable(body_name_packed()) &&
+           VerifyOffset(verifier, VT_BODY_LEDGE_START_PACKED) &&
+           verifier.VerifyTable(body_ledge_start_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_PACKED) &&
+           verifier.VerifyTable(surface_packed()) &&
+           VerifyOffset(verifier, VT_CORNER_PACKED) &&
+           verifier.VerifyTable(corner_packed()) &&
+           VerifyOffset(verifier, VT_START_PACKED) &&
+           verifier.VerifyTable(start_packed()) &&
+           VerifyOffset(verifier, VT_END_PACKED) &&
+           verifier.VerifyTable(end_packed()) &&
+           VerifyOffset(verifier, VT_KIND_PACKED) &&
+           verifier.VerifyTable(kind_packed()) &&
+           VerifyOffset(verifier, VT_OTHER_KIND_PACKED) &&
+           verifier.VerifyTable(other_kind_packed()) &&
+           VerifyOffset(verifier, VT_BELOW_PACKED) &&
+           verifier.VerifyTable(below_packed()) &&
+           VerifyOffset(verifier, VT_THING_PACKED) &&
+           verifier.VerifyTable(thing_packed()) &&
+           VerifyOffset(verifier, VT_DROP_START_PACKED) &&
+           verifier.VerifyTable(drop_start_packed()) &&
+           VerifyOffset(verifier, VT_DROP_END_PACKED) &&
+           verifier.VerifyTable(drop_end_packed()) &&
+           VerifyOffset(verifier, VT_TRAITS_PACKED) &&
+           verifier.VerifyTable(traits_packed()) &&
            VerifyOffset(verifier, VT_CARRIER) &&
            verifier.VerifyVector(carrier()) &&
            VerifyOffset(verifier, VT_CARRIER_FRAME) &&
@@ -3114,6 +5489,16 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(onto()) &&
            VerifyOffset(verifier, VT_ONTO_FACE) &&
            verifier.VerifyVector(onto_face()) &&
+           VerifyOffset(verifier, VT_CARRIER_PACKED) &&
+           verifier.VerifyTable(carrier_packed()) &&
+           VerifyOffset(verifier, VT_CARRIER_FRAME_PACKED) &&
+           verifier.VerifyTable(carrier_frame_packed()) &&
+           VerifyOffset(verifier, VT_CARRIER_FACE_PACKED) &&
+           verifier.VerifyTable(carrier_face_packed()) &&
+           VerifyOffset(verifier, VT_ONTO_PACKED) &&
+           verifier.VerifyTable(onto_packed()) &&
+           VerifyOffset(verifier, VT_ONTO_FACE_PACKED) &&
+           verifier.VerifyTable(onto_face_packed()) &&
            verifier.EndTable();
   }
 };
@@ -3185,6 +5570,69 @@ struct LedgesBuilder {
   void add_traits(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> traits) {
     fbb_.AddOffset(Ledges::VT_TRAITS, traits);
   }
+  void add_body_movesize_packed(::flatbuffers::Offset<jktools::Packed> body_movesize_packed) {
+    fbb_.AddOffset(Ledges::VT_BODY_MOVESIZE_PACKED, body_movesize_packed);
+  }
+  void add_body_hover_packed(::flatbuffers::Offset<jktools::Packed> body_hover_packed) {
+    fbb_.AddOffset(Ledges::VT_BODY_HOVER_PACKED, body_hover_packed);
+  }
+  void add_body_reattach_packed(::flatbuffers::Offset<jktools::Packed> body_reattach_packed) {
+    fbb_.AddOffset(Ledges::VT_BODY_REATTACH_PACKED, body_reattach_packed);
+  }
+  void add_body_step_packed(::flatbuffers::Offset<jktools::Packed> body_step_packed) {
+    fbb_.AddOffset(Ledges::VT_BODY_STEP_PACKED, body_step_packed);
+  }
+  void add_body_jump_packed(::flatbuffers::Offset<jktools::Packed> body_jump_packed) {
+    fbb_.AddOffset(Ledges::VT_BODY_JUMP_PACKED, body_jump_packed);
+  }
+  void add_body_physics_flags_packed(::flatbuffers::Offset<jktools::Packed> body_physics_flags_packed) {
+    fbb_.AddOffset(Ledges::VT_BODY_PHYSICS_FLAGS_PACKED, body_physics_flags_packed);
+  }
+  void add_body_player_packed(::flatbuffers::Offset<jktools::Packed> body_player_packed) {
+    fbb_.AddOffset(Ledges::VT_BODY_PLAYER_PACKED, body_player_packed);
+  }
+  void add_body_name_start_packed(::flatbuffers::Offset<jktools::Packed> body_name_start_packed) {
+    fbb_.AddOffset(Ledges::VT_BODY_NAME_START_PACKED, body_name_start_packed);
+  }
+  void add_body_name_packed(::flatbuffers::Offset<jktools::Packed> body_name_packed) {
+    fbb_.AddOffset(Ledges::VT_BODY_NAME_PACKED, body_name_packed);
+  }
+  void add_body_ledge_start_packed(::flatbuffers::Offset<jktools::Packed> body_ledge_start_packed) {
+    fbb_.AddOffset(Ledges::VT_BODY_LEDGE_START_PACKED, body_ledge_start_packed);
+  }
+  void add_surface_packed(::flatbuffers::Offset<jktools::Packed> surface_packed) {
+    fbb_.AddOffset(Ledges::VT_SURFACE_PACKED, surface_packed);
+  }
+  void add_corner_packed(::flatbuffers::Offset<jktools::Packed> corner_packed) {
+    fbb_.AddOffset(Ledges::VT_CORNER_PACKED, corner_packed);
+  }
+  void add_start_packed(::flatbuffers::Offset<jktools::Packed> start_packed) {
+    fbb_.AddOffset(Ledges::VT_START_PACKED, start_packed);
+  }
+  void add_end_packed(::flatbuffers::Offset<jktools::Packed> end_packed) {
+    fbb_.AddOffset(Ledges::VT_END_PACKED, end_packed);
+  }
+  void add_kind_packed(::flatbuffers::Offset<jktools::Packed> kind_packed) {
+    fbb_.AddOffset(Ledges::VT_KIND_PACKED, kind_packed);
+  }
+  void add_other_kind_packed(::flatbuffers::Offset<jktools::Packed> other_kind_packed) {
+    fbb_.AddOffset(Ledges::VT_OTHER_KIND_PACKED, other_kind_packed);
+  }
+  void add_below_packed(::flatbuffers::Offset<jktools::Packed> below_packed) {
+    fbb_.AddOffset(Ledges::VT_BELOW_PACKED, below_packed);
+  }
+  void add_thing_packed(::flatbuffers::Offset<jktools::Packed> thing_packed) {
+    fbb_.AddOffset(Ledges::VT_THING_PACKED, thing_packed);
+  }
+  void add_drop_start_packed(::flatbuffers::Offset<jktools::Packed> drop_start_packed) {
+    fbb_.AddOffset(Ledges::VT_DROP_START_PACKED, drop_start_packed);
+  }
+  void add_drop_end_packed(::flatbuffers::Offset<jktools::Packed> drop_end_packed) {
+    fbb_.AddOffset(Ledges::VT_DROP_END_PACKED, drop_end_packed);
+  }
+  void add_traits_packed(::flatbuffers::Offset<jktools::Packed> traits_packed) {
+    fbb_.AddOffset(Ledges::VT_TRAITS_PACKED, traits_packed);
+  }
   void add_carrier(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier) {
     fbb_.AddOffset(Ledges::VT_CARRIER, carrier);
   }
@@ -3199,6 +5647,21 @@ struct LedgesBuilder {
   }
   void add_onto_face(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto_face) {
     fbb_.AddOffset(Ledges::VT_ONTO_FACE, onto_face);
+  }
+  void add_carrier_packed(::flatbuffers::Offset<jktools::Packed> carrier_packed) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_PACKED, carrier_packed);
+  }
+  void add_carrier_frame_packed(::flatbuffers::Offset<jktools::Packed> carrier_frame_packed) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FRAME_PACKED, carrier_frame_packed);
+  }
+  void add_carrier_face_packed(::flatbuffers::Offset<jktools::Packed> carrier_face_packed) {
+    fbb_.AddOffset(Ledges::VT_CARRIER_FACE_PACKED, carrier_face_packed);
+  }
+  void add_onto_packed(::flatbuffers::Offset<jktools::Packed> onto_packed) {
+    fbb_.AddOffset(Ledges::VT_ONTO_PACKED, onto_packed);
+  }
+  void add_onto_face_packed(::flatbuffers::Offset<jktools::Packed> onto_face_packed) {
+    fbb_.AddOffset(Ledges::VT_ONTO_FACE_PACKED, onto_face_packed);
   }
   explicit LedgesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
@@ -3234,17 +5697,69 @@ inline ::flatbuffers::Offset<Ledges> CreateLedges(
     ::flatbuffers::Offset<::flatbuffers::Vector<float>> drop_start = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<float>> drop_end = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> traits = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_movesize_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_hover_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_reattach_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_step_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_jump_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_physics_flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_player_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_name_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_ledge_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> corner_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> end_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> kind_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> other_kind_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> below_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> thing_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> drop_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> drop_end_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> traits_packed = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_frame = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> carrier_face = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto_face = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> onto_face = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_frame_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_face_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_face_packed = 0) {
   LedgesBuilder builder_(_fbb);
+  builder_.add_onto_face_packed(onto_face_packed);
+  builder_.add_onto_packed(onto_packed);
+  builder_.add_carrier_face_packed(carrier_face_packed);
+  builder_.add_carrier_frame_packed(carrier_frame_packed);
+  builder_.add_carrier_packed(carrier_packed);
   builder_.add_onto_face(onto_face);
   builder_.add_onto(onto);
   builder_.add_carrier_face(carrier_face);
   builder_.add_carrier_frame(carrier_frame);
   builder_.add_carrier(carrier);
+  builder_.add_traits_packed(traits_packed);
+  builder_.add_drop_end_packed(drop_end_packed);
+  builder_.add_drop_start_packed(drop_start_packed);
+  builder_.add_thing_packed(thing_packed);
+  builder_.add_below_packed(below_packed);
+  builder_.add_other_kind_packed(other_kind_packed);
+  builder_.add_kind_packed(kind_packed);
+  builder_.add_end_packed(end_packed);
+  builder_.add_start_packed(start_packed);
+  builder_.add_corner_packed(corner_packed);
+  builder_.add_surface_packed(surface_packed);
+  builder_.add_body_ledge_start_packed(body_ledge_start_packed);
+  builder_.add_body_name_packed(body_name_packed);
+  builder_.add_body_name_start_packed(body_name_start_packed);
+  builder_.add_body_player_packed(body_player_packed);
+  builder_.add_body_physics_flags_packed(body_physics_flags_packed);
+  builder_.add_body_jump_packed(body_jump_packed);
+  builder_.add_body_step_packed(body_step_packed);
+  builder_.add_body_reattach_packed(body_reattach_packed);
+  builder_.add_body_hover_packed(body_hover_packed);
+  builder_.add_body_movesize_packed(body_movesize_packed);
   builder_.add_traits(traits);
   builder_.add_drop_end(drop_end);
   builder_.add_drop_start(drop_start);
@@ -3292,11 +5807,37 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
     const std::vector<float> *drop_start = nullptr,
     const std::vector<float> *drop_end = nullptr,
     const std::vector<uint8_t> *traits = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> body_movesize_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_hover_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_reattach_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_step_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_jump_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_physics_flags_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_player_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_name_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_ledge_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> corner_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> end_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> kind_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> other_kind_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> below_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> thing_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> drop_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> drop_end_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> traits_packed = 0,
     const std::vector<int32_t> *carrier = nullptr,
     const std::vector<int32_t> *carrier_frame = nullptr,
     const std::vector<int32_t> *carrier_face = nullptr,
     const std::vector<int32_t> *onto = nullptr,
-    const std::vector<int32_t> *onto_face = nullptr) {
+    const std::vector<int32_t> *onto_face = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> carrier_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_frame_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> carrier_face_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> onto_face_packed = 0) {
   auto body_movesize__ = body_movesize ? _fbb.CreateVector<float>(*body_movesize) : 0;
   auto body_hover__ = body_hover ? _fbb.CreateVector<float>(*body_hover) : 0;
   auto body_reattach__ = body_reattach ? _fbb.CreateVector<float>(*body_reattach) : 0;
@@ -3346,11 +5887,37 @@ inline ::flatbuffers::Offset<Ledges> CreateLedgesDirect(
       drop_start__,
       drop_end__,
       traits__,
+      body_movesize_packed,
+      body_hover_packed,
+      body_reattach_packed,
+      body_step_packed,
+      body_jump_packed,
+      body_physics_flags_packed,
+      body_player_packed,
+      body_name_start_packed,
+      body_name_packed,
+      body_ledge_start_packed,
+      surface_packed,
+      corner_packed,
+      start_packed,
+      end_packed,
+      kind_packed,
+      other_kind_packed,
+      below_packed,
+      thing_packed,
+      drop_start_packed,
+      drop_end_packed,
+      traits_packed,
       carrier__,
       carrier_frame__,
       carrier_face__,
       onto__,
-      onto_face__);
+      onto_face__,
+      carrier_packed,
+      carrier_frame_packed,
+      carrier_face_packed,
+      onto_packed,
+      onto_face_packed);
 }
 
 /// Floors that a body can come down to and whose every way out goes up.
@@ -3363,7 +5930,14 @@ struct Basins FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_SHALLOWEST = 10,
     VT_DEEPEST = 12,
     VT_ENTERED = 14,
-    VT_LEFT = 16
+    VT_LEFT = 16,
+    VT_BODY_PACKED = 18,
+    VT_SURFACE_START_PACKED = 20,
+    VT_SURFACE_PACKED = 22,
+    VT_SHALLOWEST_PACKED = 24,
+    VT_DEEPEST_PACKED = 26,
+    VT_ENTERED_PACKED = 28,
+    VT_LEFT_PACKED = 30
   };
   const ::flatbuffers::Vector<int32_t> *body() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_BODY);
@@ -3389,6 +5963,27 @@ struct Basins FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *left() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_LEFT);
   }
+  const jktools::Packed *body_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BODY_PACKED);
+  }
+  const jktools::Packed *surface_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_START_PACKED);
+  }
+  const jktools::Packed *surface_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SURFACE_PACKED);
+  }
+  const jktools::Packed *shallowest_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SHALLOWEST_PACKED);
+  }
+  const jktools::Packed *deepest_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_DEEPEST_PACKED);
+  }
+  const jktools::Packed *entered_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_ENTERED_PACKED);
+  }
+  const jktools::Packed *left_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_LEFT_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -3406,6 +6001,20 @@ struct Basins FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(entered()) &&
            VerifyOffset(verifier, VT_LEFT) &&
            verifier.VerifyVector(left()) &&
+           VerifyOffset(verifier, VT_BODY_PACKED) &&
+           verifier.VerifyTable(body_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_START_PACKED) &&
+           verifier.VerifyTable(surface_start_packed()) &&
+           VerifyOffset(verifier, VT_SURFACE_PACKED) &&
+           verifier.VerifyTable(surface_packed()) &&
+           VerifyOffset(verifier, VT_SHALLOWEST_PACKED) &&
+           verifier.VerifyTable(shallowest_packed()) &&
+           VerifyOffset(verifier, VT_DEEPEST_PACKED) &&
+           verifier.VerifyTable(deepest_packed()) &&
+           VerifyOffset(verifier, VT_ENTERED_PACKED) &&
+           verifier.VerifyTable(entered_packed()) &&
+           VerifyOffset(verifier, VT_LEFT_PACKED) &&
+           verifier.VerifyTable(left_packed()) &&
            verifier.EndTable();
   }
 };
@@ -3435,6 +6044,27 @@ struct BasinsBuilder {
   void add_left(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> left) {
     fbb_.AddOffset(Basins::VT_LEFT, left);
   }
+  void add_body_packed(::flatbuffers::Offset<jktools::Packed> body_packed) {
+    fbb_.AddOffset(Basins::VT_BODY_PACKED, body_packed);
+  }
+  void add_surface_start_packed(::flatbuffers::Offset<jktools::Packed> surface_start_packed) {
+    fbb_.AddOffset(Basins::VT_SURFACE_START_PACKED, surface_start_packed);
+  }
+  void add_surface_packed(::flatbuffers::Offset<jktools::Packed> surface_packed) {
+    fbb_.AddOffset(Basins::VT_SURFACE_PACKED, surface_packed);
+  }
+  void add_shallowest_packed(::flatbuffers::Offset<jktools::Packed> shallowest_packed) {
+    fbb_.AddOffset(Basins::VT_SHALLOWEST_PACKED, shallowest_packed);
+  }
+  void add_deepest_packed(::flatbuffers::Offset<jktools::Packed> deepest_packed) {
+    fbb_.AddOffset(Basins::VT_DEEPEST_PACKED, deepest_packed);
+  }
+  void add_entered_packed(::flatbuffers::Offset<jktools::Packed> entered_packed) {
+    fbb_.AddOffset(Basins::VT_ENTERED_PACKED, entered_packed);
+  }
+  void add_left_packed(::flatbuffers::Offset<jktools::Packed> left_packed) {
+    fbb_.AddOffset(Basins::VT_LEFT_PACKED, left_packed);
+  }
   explicit BasinsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -3454,8 +6084,22 @@ inline ::flatbuffers::Offset<Basins> CreateBasins(
     ::flatbuffers::Offset<::flatbuffers::Vector<float>> shallowest = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<float>> deepest = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> entered = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> left = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> left = 0,
+    ::flatbuffers::Offset<jktools::Packed> body_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> shallowest_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> deepest_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> entered_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> left_packed = 0) {
   BasinsBuilder builder_(_fbb);
+  builder_.add_left_packed(left_packed);
+  builder_.add_entered_packed(entered_packed);
+  builder_.add_deepest_packed(deepest_packed);
+  builder_.add_shallowest_packed(shallowest_packed);
+  builder_.add_surface_packed(surface_packed);
+  builder_.add_surface_start_packed(surface_start_packed);
+  builder_.add_body_packed(body_packed);
   builder_.add_left(left);
   builder_.add_entered(entered);
   builder_.add_deepest(deepest);
@@ -3474,7 +6118,14 @@ inline ::flatbuffers::Offset<Basins> CreateBasinsDirect(
     const std::vector<float> *shallowest = nullptr,
     const std::vector<float> *deepest = nullptr,
     const std::vector<uint8_t> *entered = nullptr,
-    const std::vector<uint8_t> *left = nullptr) {
+    const std::vector<uint8_t> *left = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> body_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> surface_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> shallowest_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> deepest_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> entered_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> left_packed = 0) {
   auto body__ = body ? _fbb.CreateVector<int32_t>(*body) : 0;
   auto surface_start__ = surface_start ? _fbb.CreateVector<uint32_t>(*surface_start) : 0;
   auto surface__ = surface ? _fbb.CreateVector<int32_t>(*surface) : 0;
@@ -3490,7 +6141,14 @@ inline ::flatbuffers::Offset<Basins> CreateBasinsDirect(
       shallowest__,
       deepest__,
       entered__,
-      left__);
+      left__,
+      body_packed,
+      surface_start_packed,
+      surface_packed,
+      shallowest_packed,
+      deepest_packed,
+      entered_packed,
+      left_packed);
 }
 
 struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
@@ -3518,7 +6176,10 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_COLOUR_EFFECTS = 42,
     VT_MOTION = 44,
     VT_LEDGES = 46,
-    VT_BASINS = 48
+    VT_BASINS = 48,
+    VT_TEXT = 50,
+    VT_TEXT_START = 52,
+    VT_TEXT_START_PACKED = 54
   };
   /// Readers refuse a file whose major version they do not know.
   uint16_t format_major() const {
@@ -3592,6 +6253,17 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Basins *basins() const {
     return GetPointer<const jktools::Basins *>(VT_BASINS);
   }
+  /// Every text of the level, each once: UTF-8, each with a zero byte behind it. Never packed.
+  const ::flatbuffers::Vector<uint8_t> *text() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_TEXT);
+  }
+  /// Cuts `text`; what counts strings counts its parts.
+  const ::flatbuffers::Vector<uint32_t> *text_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_TEXT_START);
+  }
+  const jktools::Packed *text_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_TEXT_START_PACKED);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -3643,6 +6315,12 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyTable(ledges()) &&
            VerifyOffset(verifier, VT_BASINS) &&
            verifier.VerifyTable(basins()) &&
+           VerifyOffset(verifier, VT_TEXT) &&
+           verifier.VerifyVector(text()) &&
+           VerifyOffset(verifier, VT_TEXT_START) &&
+           verifier.VerifyVector(text_start()) &&
+           VerifyOffset(verifier, VT_TEXT_START_PACKED) &&
+           verifier.VerifyTable(text_start_packed()) &&
            verifier.EndTable();
   }
 };
@@ -3720,6 +6398,15 @@ struct LevelBuilder {
   void add_basins(::flatbuffers::Offset<jktools::Basins> basins) {
     fbb_.AddOffset(Level::VT_BASINS, basins);
   }
+  void add_text(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> text) {
+    fbb_.AddOffset(Level::VT_TEXT, text);
+  }
+  void add_text_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> text_start) {
+    fbb_.AddOffset(Level::VT_TEXT_START, text_start);
+  }
+  void add_text_start_packed(::flatbuffers::Offset<jktools::Packed> text_start_packed) {
+    fbb_.AddOffset(Level::VT_TEXT_START_PACKED, text_start_packed);
+  }
   explicit LevelBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -3761,8 +6448,14 @@ inline ::flatbuffers::Offset<Level> CreateLevel(
     ::flatbuffers::Offset<jktools::ColourEffects> colour_effects = 0,
     ::flatbuffers::Offset<jktools::Motion> motion = 0,
     ::flatbuffers::Offset<jktools::Ledges> ledges = 0,
-    ::flatbuffers::Offset<jktools::Basins> basins = 0) {
+    ::flatbuffers::Offset<jktools::Basins> basins = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> text = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> text_start = 0,
+    ::flatbuffers::Offset<jktools::Packed> text_start_packed = 0) {
   LevelBuilder builder_(_fbb);
+  builder_.add_text_start_packed(text_start_packed);
+  builder_.add_text_start(text_start);
+  builder_.add_text(text);
   builder_.add_basins(basins);
   builder_.add_ledges(ledges);
   builder_.add_motion(motion);
@@ -3813,13 +6506,18 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
     ::flatbuffers::Offset<jktools::ColourEffects> colour_effects = 0,
     ::flatbuffers::Offset<jktools::Motion> motion = 0,
     ::flatbuffers::Offset<jktools::Ledges> ledges = 0,
-    ::flatbuffers::Offset<jktools::Basins> basins = 0) {
+    ::flatbuffers::Offset<jktools::Basins> basins = 0,
+    const std::vector<uint8_t> *text = nullptr,
+    const std::vector<uint32_t> *text_start = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> text_start_packed = 0) {
   auto tool_version__ = tool_version ? _fbb.CreateString(tool_version) : 0;
   auto checksum__ = checksum ? _fbb.CreateVector<uint8_t>(*checksum) : 0;
   auto inputs__ = inputs ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Input>>(*inputs) : 0;
   auto passes__ = passes ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Pass>>(*passes) : 0;
   auto strings__ = strings ? _fbb.CreateVector<::flatbuffers::Offset<::flatbuffers::String>>(*strings) : 0;
   auto omissions__ = omissions ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Omission>>(*omissions) : 0;
+  auto text__ = text ? _fbb.CreateVector<uint8_t>(*text) : 0;
+  auto text_start__ = text_start ? _fbb.CreateVector<uint32_t>(*text_start) : 0;
   return jktools::CreateLevel(
       _fbb,
       format_major,
@@ -3844,7 +6542,10 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
       colour_effects,
       motion,
       ledges,
-      basins);
+      basins,
+      text__,
+      text_start__,
+      text_start_packed);
 }
 
 inline const jktools::Level *GetLevel(const void *buf) {

@@ -2,42 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import click
 
-from jktools.compiler import CompiledLevel, open_compiled
-from jktools.emit import json as json_format
+from jktools.cli.app import base_option, problem
+from jktools.cli.status import Status
+from jktools.compiler import open_compiled
+from jktools.emit import compiled
 
 
 @click.command("inspect")
 @click.argument("file", metavar="FILE")
-@click.option("--json", "as_json", is_flag=True, help="The same as JSON.")
-@click.option("--verify", is_flag=True, help="Compare the checksum too, which finds every changed byte.")
-def command(file: str, as_json: bool, verify: bool) -> int:
-    """Show what a compiled level holds: sections, counts, sizes, passes."""
+@click.option("--json", "as_json", is_flag=True, help="The same as JSON, with the form of every column.")
+@click.option("--columns", is_flag=True, help="Show the form and size of every column.")
+@click.option(
+    "--verify", is_flag=True,
+    help="Compare the checksum, compile the level again with the settings that the file records, and compare.",
+)  # fmt: skip
+@click.option(
+    "--source", metavar="PATH",
+    help="What --verify compiles: a level, or what it lies in; else it is looked for beside FILE and in the bases.",
+)  # fmt: skip
+@base_option
+def command(file: str, as_json: bool, columns: bool, verify: bool, source: str | None, base: tuple[str, ...]) -> int:
+    """Show what a compiled level holds: sections, counts, sizes, passes.
+
+    --verify needs what the level was compiled with: the same --base. Where the source is not at hand it says so, and
+    checks what follows from the file itself.
+
+    Exit status: 0, 1 when --verify finds a difference, 2 bad usage or a file that cannot be read.
+    """
+    if (source or base) and not verify:
+        raise click.UsageError("--source and --base are for --verify")
     level = open_compiled(file, verify=verify)
+    verified, fault = [], None
+    if verify:
+        from jktools.session.verifying import verify as verified_level  # noqa: PLC0415 (inspect alone compiles nothing)
+
+        verdict = verified_level(level, source, base)
+        verified, fault = ["the checksum is that of the file", *verdict.told], verdict.fault
     if as_json:
-        click.echo(json_format.compiled(level), nl=False)
+        click.echo(compiled.json(level, verified=verified, fault=fault), nl=False)
     else:
-        click.echo("\n".join(_lines(level, verify)))
-    return 0
-
-
-def _lines(level: CompiledLevel, verify: bool) -> Iterator[str]:
-    yield f"{level.path}: compiled level, format {level.format}, {level.data.nbytes} bytes"
-    yield f"  written by jktools {level.tool_version} for " + ", ".join(f"{k} {v}" for k, v in level.settings.items())
-    for path, digest in level.inputs:
-        yield f"  from {path} (sha256 {digest})"
-    yield f"  checksum {level.checksum}" + (" (verified)" if verify else "")
-    yield "  counts: " + ", ".join(f"{count} {kind.replace('_', ' ')}" for kind, count in level.counts.items())
-    visible = level.visible_sectors
-    if visible is not None and len(visible):
-        yield f"  visibility: {visible.sum(axis=1).mean():.1f} of {len(visible)} sectors from a sector, on average"
-    yield "  passes:"
-    for name, state in level.passes.items():
-        section = level.sections.get(name)
-        size = f"{sum(c.nbytes for c in section.columns.values()):>10} bytes" if section else "   not run"
-        yield f"    {name:<15}{size}" + (f"  ({state['note']})" if state["note"] else "")
-    for each in level.omissions:
-        yield f"  left out of {each['section']}, because {each['reason']}: {' '.join(each['name'])}"
+        click.echo("\n".join(compiled.text(level, verified=verified, columns=columns)))
+    if fault is not None:
+        problem(f"{file} is not what it was compiled from: {fault}")
+        return Status.FINDINGS
+    return Status.CLEAN

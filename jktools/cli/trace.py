@@ -18,7 +18,7 @@ from jktools.model import Level
 from jktools.session.levels import load
 from jktools.trace import fit, recording, script, trace
 from jktools.trace.fitting import Fit, FitError, Interval
-from jktools.trace.in_level import start_at, trace_in_level
+from jktools.trace.in_level import body_named, start_at, trace_in_level
 from jktools.trace.write import to_csv, write
 
 PARAMETERS = {field.name for field in dataclasses.fields(Body)}
@@ -51,9 +51,12 @@ def command() -> None:
 @click.option(
     "--fps", type=click.FloatRange(min=0, min_open=True), default=50.0, show_default=True, help="Frames a second."
 )
-@click.option("--set", "settings", metavar="NAME=VALUE", multiple=True, help="Change one of walkplayer's parameters.")
+@click.option("--set", "settings", metavar="NAME=VALUE", multiple=True, help="Change one of the body's parameters.")
 @click.option("--level", metavar="PATH", help="Walk in this level, on its floors and against its walls; needs --at.")
 @click.option("--at", "place", metavar="THING|x,y,z,sector", help="Where in the level: a thing's number, or a point.")
+@click.option(
+    "--body", "template", metavar="TEMPLATE", help="Whose body it is: a template of the level, not walkplayer."
+)
 @base_option
 def run_command(
     path: Path,
@@ -64,20 +67,22 @@ def run_command(
     settings: tuple[str, ...],
     level: str | None,
     place: str | None,
+    template: str | None,
     base: tuple[str, ...],
 ) -> None:
-    """Simulate walkplayer under SCRIPT."""
+    """Simulate walkplayer, or the body of another template, under SCRIPT."""
     if output is not None and output.suffix.lower() not in (".csv", ".m", ".png"):
         raise click.BadParameter(f"{output.name} names no format: .csv, .m or .png", param_hint="--output")
     if (level is None) != (place is None):
         raise click.UsageError("--level and --at go together")
-    options = _Options(_body(settings), Engine(engine), Scheme(scheme) if scheme else None, fps)
+    if template is not None and level is None:
+        raise click.UsageError("--body names a template of --level")
     try:
         text = path.read_text(encoding="utf-8")
-        if level is None:
-            history = trace(text, **options._asdict())
-        else:
-            history = _in_level(text, load(level, base), place or "", options)
+        loaded = None if level is None else load(level, base)
+        body = WALKPLAYER if loaded is None or template is None else _body_of(loaded, template)
+        options = _Options(_changed(body, settings), Engine(engine), Scheme(scheme) if scheme else None, fps)
+        history = trace(text, **options._asdict()) if loaded is None else _in_level(text, loaded, place or "", options)
     except ValueError as error:
         raise click.ClickException(f"{path}: {error}") from None
     if output is None:
@@ -102,7 +107,14 @@ def _in_level(text: str, level: Level, place: str, options: _Options) -> History
     return trace_in_level(text, level, start, **options._asdict())
 
 
-def _body(settings: tuple[str, ...]) -> Body:
+def _body_of(level: Level, template: str) -> Body:
+    try:
+        return body_named(level, template)
+    except ValueError as error:
+        raise click.BadParameter(f"{level.path}: {error}", param_hint="--body") from None
+
+
+def _changed(body: Body, settings: tuple[str, ...]) -> Body:
     changes: dict[str, Any] = {}
     for setting in settings:
         name, _, value = setting.partition("=")
@@ -112,7 +124,7 @@ def _body(settings: tuple[str, ...]) -> Body:
             changes[name] = int(value, 16) if name == "physflags" else float(value)
         except ValueError:
             raise click.BadParameter(f"{value!r} is no value for {name}", param_hint="--set") from None
-    return dataclasses.replace(WALKPLAYER, **changes)
+    return dataclasses.replace(body, **changes)
 
 
 def _tell(history: History) -> None:

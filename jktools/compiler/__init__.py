@@ -2,17 +2,20 @@
 
 from jktools.compiler.errors import CompiledFileError, CompileError, PassError
 from jktools.compiler.passes import CHOICES
+from jktools.compiler.queries import Basin, Ledge
 from jktools.compiler.reader import CompiledLevel, open_compiled
 from jktools.compiler.settings import CompileSettings
 from jktools.compiler.writer import Compilation, compilation, compile_level
 
 __all__ = [
     "CHOICES",
+    "Basin",
     "Compilation",
     "CompileError",
     "CompileSettings",
     "CompiledFileError",
     "CompiledLevel",
+    "Ledge",
     "PassError",
     "compilation",
     "compile_level",

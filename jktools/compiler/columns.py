@@ -15,11 +15,11 @@ STRINGS = "strings"
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """One vector of a section.
+    """One column of a section.
 
     `rows_of` names the column of the section that has as many rows; None for a column that counts itself. `cuts`
     names the column that a `*_start` column cuts. `index_of` names what its numbers count: a column of geometry
-    (`vertices`), of another section (`resources.materials`), or `strings`.
+    (`vertices`), of another section (`resources.materials`), the parts that a `*_start` column cuts, or `strings`.
     """
 
     type: str
@@ -30,11 +30,20 @@ class Column:
     or_none: bool = False
     since: int = 0
     """Minor version of the format that brought it; older files lack it."""
+    until: int | None = None
+    """Minor version of the format that wrote it last; newer files say the same by other columns."""
+    group: str | None = None
+    """Columns of one group often repeat whole rows, and are packed together."""
 
 
 def camel_case(name: str) -> str:
     """A section or field as the generated code spells it: `ColourEffects`."""
     return "".join(part.capitalize() for part in name.split("_"))
+
+
+def _grouped(name: str, columns: Mapping[str, Column]) -> dict[str, Column]:
+    """The columns as one group."""
+    return {key: replace(column, group=name) for key, column in columns.items()}
 
 
 def _rows(leader: str, columns: Mapping[str, Column]) -> dict[str, Column]:
@@ -51,23 +60,23 @@ GEOMETRY: Mapping[str, Column] = MappingProxyType(
         **_rows(
             "adjoin_flags",
             {
-                "adjoin_flags": Column("u4"),
+                "adjoin_flags": Column("u4", group="adjoin"),
                 "adjoin_mirror": Column("i4", index_of="adjoin_flags"),
-                "adjoin_distance": Column("f4"),
+                "adjoin_distance": Column("f4", group="adjoin"),
                 "adjoin_surface": Column("i4", index_of="surface_flags", or_none=True),
             },
         ),
         **_rows(
             "surface_flags",
             {
-                "surface_material": Column("i4", index_of="resources.materials", or_none=True),
-                "surface_flags": Column("u4"),
-                "surface_face_flags": Column("u4"),
-                "surface_geometry_mode": Column("i4"),
-                "surface_light_mode": Column("i4"),
-                "surface_texture_mode": Column("i4"),
+                "surface_material": Column("i4", index_of="resources.materials", or_none=True, group="surface"),
+                "surface_flags": Column("u4", group="surface"),
+                "surface_face_flags": Column("u4", group="surface"),
+                "surface_geometry_mode": Column("i4", group="surface"),
+                "surface_light_mode": Column("i4", group="surface"),
+                "surface_texture_mode": Column("i4", group="surface"),
                 "surface_adjoin": Column("i4", index_of="adjoin_flags", or_none=True),
-                "surface_extra_light": Column("f4"),
+                "surface_extra_light": Column("f4", group="surface"),
                 "surface_normal": Column("f4", 3),
                 "surface_sector": Column("i4", index_of="sector_flags", or_none=True),
                 "surface_corner_start": Column("u4", cuts="corner_vertex"),
@@ -80,15 +89,15 @@ GEOMETRY: Mapping[str, Column] = MappingProxyType(
         **_rows(
             "sector_flags",
             {
-                "sector_flags": Column("u4"),
-                "sector_ambient_light": Column("f4"),
-                "sector_extra_light": Column("f4"),
-                "sector_colormap": Column("i4"),
-                "sector_tint": Column("f4", 3),
+                "sector_flags": Column("u4", group="sector"),
+                "sector_ambient_light": Column("f4", group="sector"),
+                "sector_extra_light": Column("f4", group="sector"),
+                "sector_colormap": Column("i4", group="sector"),
+                "sector_tint": Column("f4", 3, group="sector"),
                 "sector_bound_box": Column("f4", 6),
                 "sector_collide_box": Column("f4", 6),
-                "sector_sound": Column("i4", index_of=STRINGS, or_none=True),
-                "sector_sound_volume": Column("f4"),
+                "sector_sound": Column("i4", index_of=STRINGS, or_none=True, group="sector"),
+                "sector_sound_volume": Column("f4", group="sector"),
                 "sector_center": Column("f4", 3),
                 "sector_radius": Column("f4"),
                 "sector_vertex_start": Column("u4", cuts="sector_vertex"),
@@ -103,27 +112,49 @@ GEOMETRY: Mapping[str, Column] = MappingProxyType(
 _PARAMETERS: Mapping[str, Column] = MappingProxyType(
     {
         "parameter_start": Column("u4", rows_of="source", cuts="parameter_key"),
-        "parameter_key": _TEXT,
-        "parameter_value": Column("u4", rows_of="parameter_key", index_of=STRINGS),
+        **_grouped(
+            "parameter",
+            {"parameter_key": _TEXT, "parameter_value": Column("u4", rows_of="parameter_key", index_of=STRINGS)},
+        ),
     }
 )
 
 _RESOLVED: Mapping[str, Column] = MappingProxyType(
     {
-        "type": Column("i4", rows_of="source", since=1),
-        "move": Column("i4", rows_of="source", since=1),
-        "has_ai": Column("i4", rows_of="source", since=1),
+        "type": Column("i4", rows_of="source", since=1, group="template"),
+        "move": Column("i4", rows_of="source", since=1, group="template"),
+        "has_ai": Column("i4", rows_of="source", since=1, group="template"),
         "value_start": Column("u4", rows_of="source", cuts="value_key", since=1),
-        "value_key": replace(_TEXT, since=1),
-        "value_text": Column("i4", rows_of="value_key", index_of=STRINGS, or_none=True, since=1),
-        "value_source": Column("i4", rows_of="value_key", since=1),
-        "number_start": Column("u4", rows_of="value_key", cuts="number", since=1),
-        "number": Column("f8", since=1),
+        **_grouped(
+            "value",
+            {
+                "value_key": replace(_TEXT, since=1),
+                "value_text": Column("i4", rows_of="value_key", index_of=STRINGS, or_none=True, since=1),
+                "value_source": Column("i4", rows_of="value_key", since=1),
+            },
+        ),
+        "number_start": Column("u4", rows_of="value_key", cuts="number", since=1, until=1),
+        "number": Column("f8", since=1, until=1),
+        "value_list": Column("u4", rows_of="value_key", index_of="list_start", since=2, group="value"),
+        "list_start": Column("u4", cuts="list_number", since=2),
+        "list_number": Column("f8", since=2),
+        "unused_start": Column("u4", rows_of="source", cuts="unused_key", since=2),
+        **_grouped(
+            "unused",
+            {
+                "unused_key": replace(_TEXT, since=2),
+                "unused_value": Column("u4", rows_of="unused_key", index_of=STRINGS, since=2),
+            },
+        ),
     }
 )
 
 TEMPLATES: Mapping[str, Column] = MappingProxyType(
-    {**_rows("source", {"source": Column("i4"), "name": _TEXT, "parent": _TEXT}), **_PARAMETERS, **_RESOLVED}
+    {
+        **_rows("source", {"source": Column("i4"), "name": _TEXT, "parent": replace(_TEXT, group="template")}),
+        **{name: replace(column, until=1) for name, column in _PARAMETERS.items()},
+        **_RESOLVED,
+    }
 )
 
 THINGS: Mapping[str, Column] = MappingProxyType(
@@ -208,15 +239,20 @@ PARTICLES: Mapping[str, Column] = MappingProxyType(
         "template",
         {
             "template": Column("i4"),
-            "material": Column("i4", index_of=STRINGS, or_none=True),
-            "cels": Column("i4"),
-            "spawned": Column("i4"),
-            "timer_ms": Column("i4"),
-            "flags": Column("u4"),
-            **dict.fromkeys(("range", "minsize"), Column("f4")),
-            "lost_a_step": Column("i4"),
-            **dict.fromkeys(("maxthrust", "elementsize", "pitchrange", "yawrange"), Column("f4")),
-            "light_mode": Column("i4"),
+            **_grouped(
+                "cloud",
+                {
+                    "material": Column("i4", index_of=STRINGS, or_none=True),
+                    "cels": Column("i4"),
+                    "spawned": Column("i4"),
+                    "timer_ms": Column("i4"),
+                    "flags": Column("u4"),
+                    **dict.fromkeys(("range", "minsize"), Column("f4")),
+                    "lost_a_step": Column("i4"),
+                    **dict.fromkeys(("maxthrust", "elementsize", "pitchrange", "yawrange"), Column("f4")),
+                    "light_mode": Column("i4"),
+                },
+            ),
         },
     )
 )
@@ -240,9 +276,16 @@ MOTION: Mapping[str, Column] = MappingProxyType(
         "template",
         {
             "template": Column("i4"),
-            **dict.fromkeys(("walk", "back", "strafe", "run", "crouch", "air", "swim"), Column("f8")),
-            **dict.fromkeys(("stop_walk", "stop_run"), Column("f8", 2)),
-            **dict.fromkeys(("jump_height", "crouched_jump_height", "jump_reach", "run_jump_reach"), Column("f8")),
+            **_grouped(
+                "way",
+                {
+                    **dict.fromkeys(("walk", "back", "strafe", "run", "crouch", "air", "swim"), Column("f8")),
+                    **dict.fromkeys(("stop_walk", "stop_run"), Column("f8", 2)),
+                    **dict.fromkeys(
+                        ("jump_height", "crouched_jump_height", "jump_reach", "run_jump_reach"), Column("f8")
+                    ),
+                },
+            ),
         },
     )
 )
@@ -273,18 +316,18 @@ LEDGES: Mapping[str, Column] = MappingProxyType(
                 "corner": Column("u1"),
                 "start": Column("f4"),
                 "end": Column("f4"),
-                "kind": Column("u1"),
-                "other_kind": Column("u1"),
+                "kind": Column("u1", group="class"),
+                "other_kind": Column("u1", group="class"),
                 "below": Column("i4", index_of=_SURFACES, or_none=True),
                 "thing": Column("i4"),
                 "drop_start": Column("f4"),
                 "drop_end": Column("f4"),
-                "traits": Column("u1"),
-                "carrier": Column("i4"),
-                "carrier_frame": Column("i4"),
-                "carrier_face": Column("i4"),
-                "onto": Column("i4"),
-                "onto_face": Column("i4"),
+                "traits": Column("u1", group="class"),
+                "carrier": Column("i4", or_none=True, since=2, group="carrier"),
+                "carrier_frame": Column("i4", or_none=True, since=2, group="carrier"),
+                "carrier_face": Column("i4", or_none=True, since=2, group="carrier"),
+                "onto": Column("i4", or_none=True, since=2, group="onto"),
+                "onto_face": Column("i4", or_none=True, since=2, group="onto"),
             },
         ),
     }
@@ -327,3 +370,11 @@ SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
     }
 )
 """The sections of the file in its order, with their columns."""
+
+TEXT: Mapping[str, Column] = MappingProxyType({"text": Column("u1"), "text_start": Column("u4", cuts="text")})
+"""Columns of the level itself: its strings. Since 1.2."""
+
+OMISSION: Mapping[str, Column] = MappingProxyType(
+    {"source": Column("i4"), "name_text": Column("u4", rows_of="source", index_of=STRINGS)}
+)
+"""Columns of an omission. `name_text` since 1.2."""

@@ -6,6 +6,438 @@ import flatbuffers
 from flatbuffers.compat import import_numpy
 np = import_numpy()
 
+# A column in a smaller form than its plain vector: `x_packed` is the column `x`. The rows are, in this order of
+# reading: the rows of the one vector of values that is there; with a step, (origin + number) * step of each; with an
+# index, of each row the one that the index names; with a count, that row as often. Without values, the whole numbers
+# from `first` on. Values are those of the plain vector, bit for bit. Since 1.2.
+class Packed(object):
+    __slots__ = ['_tab']
+
+    @classmethod
+    def GetRootAs(cls, buf, offset=0):
+        n = flatbuffers.encode.Get(flatbuffers.packer.uoffset, buf, offset)
+        x = Packed()
+        x.Init(buf, n + offset)
+        return x
+
+    @classmethod
+    def GetRootAsPacked(cls, buf, offset=0):
+        """This method is deprecated. Please switch to GetRootAs."""
+        return cls.GetRootAs(buf, offset)
+    @classmethod
+    def PackedBufferHasIdentifier(cls, buf, offset, size_prefixed=False):
+        return flatbuffers.util.BufferHasIdentifier(buf, offset, b"\x4A\x4B\x4C\x42", size_prefixed=size_prefixed)
+
+    # Packed
+    def Init(self, buf, pos):
+        self._tab = flatbuffers.table.Table(buf, pos)
+
+    # The values of as many rows as there are, each of the column's width: one of these vectors.
+    # Packed
+    def I8(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int8Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 1))
+        return 0
+
+    # Packed
+    def I8AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int8Flags, o)
+        return 0
+
+    # Packed
+    def I8Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def I8IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        return o == 0
+
+    # Packed
+    def U8(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint8Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 1))
+        return 0
+
+    # Packed
+    def U8AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint8Flags, o)
+        return 0
+
+    # Packed
+    def U8Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def U8IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        return o == 0
+
+    # Packed
+    def I16(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int16Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 2))
+        return 0
+
+    # Packed
+    def I16AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int16Flags, o)
+        return 0
+
+    # Packed
+    def I16Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def I16IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        return o == 0
+
+    # Packed
+    def U16(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint16Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 2))
+        return 0
+
+    # Packed
+    def U16AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint16Flags, o)
+        return 0
+
+    # Packed
+    def U16Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def U16IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        return o == 0
+
+    # Packed
+    def I32(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Packed
+    def I32AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Packed
+    def I32Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def I32IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        return o == 0
+
+    # Packed
+    def U32(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Packed
+    def U32AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Packed
+    def U32Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def U32IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        return o == 0
+
+    # Packed
+    def F32(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Float32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Packed
+    def F32AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Float32Flags, o)
+        return 0
+
+    # Packed
+    def F32Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def F32IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
+        return o == 0
+
+    # Packed
+    def F64(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Float64Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 8))
+        return 0
+
+    # Packed
+    def F64AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Float64Flags, o)
+        return 0
+
+    # Packed
+    def F64Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def F64IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        return o == 0
+
+    # Which row of the values each row of the column is; one of these vectors, or none where the values are the column.
+    # Packed
+    def Index8(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint8Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 1))
+        return 0
+
+    # Packed
+    def Index8AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint8Flags, o)
+        return 0
+
+    # Packed
+    def Index8Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def Index8IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
+        return o == 0
+
+    # Packed
+    def Index16(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint16Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 2))
+        return 0
+
+    # Packed
+    def Index16AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint16Flags, o)
+        return 0
+
+    # Packed
+    def Index16Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def Index16IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
+        return o == 0
+
+    # Where it is not 0: the one row of values stands for so many, or so many numbers follow from `first` on.
+    # Packed
+    def Count(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
+        if o != 0:
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, o + self._tab.Pos)
+        return 0
+
+    # Packed
+    def First(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
+        if o != 0:
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, o + self._tab.Pos)
+        return 0
+
+    # Where it is not 0, a power of two: the values count steps from the origin (`accuracy` fast).
+    # Packed
+    def Step(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
+        if o != 0:
+            return self._tab.Get(flatbuffers.number_types.Float64Flags, o + self._tab.Pos)
+        return 0.0
+
+    # One for each number of a row, in steps; 0 where there is none.
+    # Packed
+    def Origin(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Packed
+    def OriginAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Packed
+    def OriginLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Packed
+    def OriginIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
+        return o == 0
+
+def PackedStart(builder):
+    builder.StartObject(14)
+
+def PackedAddI8(builder, i8):
+    builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(i8), 0)
+
+def PackedStartI8Vector(builder, numElems):
+    return builder.StartVector(1, numElems, 1)
+
+def PackedAddU8(builder, u8):
+    builder.PrependUOffsetTRelativeSlot(1, flatbuffers.number_types.UOffsetTFlags.py_type(u8), 0)
+
+def PackedStartU8Vector(builder, numElems):
+    return builder.StartVector(1, numElems, 1)
+
+def PackedAddI16(builder, i16):
+    builder.PrependUOffsetTRelativeSlot(2, flatbuffers.number_types.UOffsetTFlags.py_type(i16), 0)
+
+def PackedStartI16Vector(builder, numElems):
+    return builder.StartVector(2, numElems, 2)
+
+def PackedAddU16(builder, u16):
+    builder.PrependUOffsetTRelativeSlot(3, flatbuffers.number_types.UOffsetTFlags.py_type(u16), 0)
+
+def PackedStartU16Vector(builder, numElems):
+    return builder.StartVector(2, numElems, 2)
+
+def PackedAddI32(builder, i32):
+    builder.PrependUOffsetTRelativeSlot(4, flatbuffers.number_types.UOffsetTFlags.py_type(i32), 0)
+
+def PackedStartI32Vector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def PackedAddU32(builder, u32):
+    builder.PrependUOffsetTRelativeSlot(5, flatbuffers.number_types.UOffsetTFlags.py_type(u32), 0)
+
+def PackedStartU32Vector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def PackedAddF32(builder, f32):
+    builder.PrependUOffsetTRelativeSlot(6, flatbuffers.number_types.UOffsetTFlags.py_type(f32), 0)
+
+def PackedStartF32Vector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def PackedAddF64(builder, f64):
+    builder.PrependUOffsetTRelativeSlot(7, flatbuffers.number_types.UOffsetTFlags.py_type(f64), 0)
+
+def PackedStartF64Vector(builder, numElems):
+    return builder.StartVector(8, numElems, 8)
+
+def PackedAddIndex8(builder, index8):
+    builder.PrependUOffsetTRelativeSlot(8, flatbuffers.number_types.UOffsetTFlags.py_type(index8), 0)
+
+def PackedStartIndex8Vector(builder, numElems):
+    return builder.StartVector(1, numElems, 1)
+
+def PackedAddIndex16(builder, index16):
+    builder.PrependUOffsetTRelativeSlot(9, flatbuffers.number_types.UOffsetTFlags.py_type(index16), 0)
+
+def PackedStartIndex16Vector(builder, numElems):
+    return builder.StartVector(2, numElems, 2)
+
+def PackedAddCount(builder, count):
+    builder.PrependUint32Slot(10, count, 0)
+
+def PackedAddFirst(builder, first):
+    builder.PrependInt32Slot(11, first, 0)
+
+def PackedAddStep(builder, step):
+    builder.PrependFloat64Slot(12, step, 0.0)
+
+def PackedAddOrigin(builder, origin):
+    builder.PrependUOffsetTRelativeSlot(13, flatbuffers.number_types.UOffsetTFlags.py_type(origin), 0)
+
+def PackedStartOriginVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def PackedEnd(builder):
+    return builder.EndObject()
+
+
+
 # One file that the level was compiled from.
 class Input(object):
     __slots__ = ['_tab']
@@ -126,8 +558,58 @@ class Settings(object):
             return self._tab.String(o + self._tab.Pos)
         return None
 
+    # Whether templates and names were left out that nothing is known to reach. Since 1.2.
+    # Settings
+    def CutAnyway(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            return bool(self._tab.Get(flatbuffers.number_types.BoolFlags, o + self._tab.Pos))
+        return False
+
+    # The passes that alone were asked for, sorted; none for all. Since 1.2.
+    # Settings
+    def Only(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.String(a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return ""
+
+    # Settings
+    def OnlyLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Settings
+    def OnlyIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        return o == 0
+
+    # The passes that were not to run, sorted. Since 1.2.
+    # Settings
+    def Skip(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.String(a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return ""
+
+    # Settings
+    def SkipLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Settings
+    def SkipIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        return o == 0
+
 def SettingsStart(builder):
-    builder.StartObject(3)
+    builder.StartObject(6)
 
 def SettingsAddGame(builder, game):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(game), 0)
@@ -137,6 +619,21 @@ def SettingsAddEngine(builder, engine):
 
 def SettingsAddAccuracy(builder, accuracy):
     builder.PrependUOffsetTRelativeSlot(2, flatbuffers.number_types.UOffsetTFlags.py_type(accuracy), 0)
+
+def SettingsAddCutAnyway(builder, cutAnyway):
+    builder.PrependBoolSlot(3, cutAnyway, 0)
+
+def SettingsAddOnly(builder, only):
+    builder.PrependUOffsetTRelativeSlot(4, flatbuffers.number_types.UOffsetTFlags.py_type(only), 0)
+
+def SettingsStartOnlyVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def SettingsAddSkip(builder, skip):
+    builder.PrependUOffsetTRelativeSlot(5, flatbuffers.number_types.UOffsetTFlags.py_type(skip), 0)
+
+def SettingsStartSkipVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
 
 def SettingsEnd(builder):
     return builder.EndObject()
@@ -730,8 +1227,108 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
+    # Resources
+    def SoundsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Resources
+    def MaterialsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Resources
+    def ColormapsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Resources
+    def AiclassesPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Resources
+    def ModelsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Resources
+    def SpritesPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Resources
+    def KeyframesPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Resources
+    def AnimclassesPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Resources
+    def SoundclassesPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Resources
+    def CogscriptsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def ResourcesStart(builder):
-    builder.StartObject(10)
+    builder.StartObject(20)
 
 def ResourcesAddSounds(builder, sounds):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(sounds), 0)
@@ -792,6 +1389,36 @@ def ResourcesAddCogscripts(builder, cogscripts):
 
 def ResourcesStartCogscriptsVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
+
+def ResourcesAddSoundsPacked(builder, soundsPacked):
+    builder.PrependUOffsetTRelativeSlot(10, flatbuffers.number_types.UOffsetTFlags.py_type(soundsPacked), 0)
+
+def ResourcesAddMaterialsPacked(builder, materialsPacked):
+    builder.PrependUOffsetTRelativeSlot(11, flatbuffers.number_types.UOffsetTFlags.py_type(materialsPacked), 0)
+
+def ResourcesAddColormapsPacked(builder, colormapsPacked):
+    builder.PrependUOffsetTRelativeSlot(12, flatbuffers.number_types.UOffsetTFlags.py_type(colormapsPacked), 0)
+
+def ResourcesAddAiclassesPacked(builder, aiclassesPacked):
+    builder.PrependUOffsetTRelativeSlot(13, flatbuffers.number_types.UOffsetTFlags.py_type(aiclassesPacked), 0)
+
+def ResourcesAddModelsPacked(builder, modelsPacked):
+    builder.PrependUOffsetTRelativeSlot(14, flatbuffers.number_types.UOffsetTFlags.py_type(modelsPacked), 0)
+
+def ResourcesAddSpritesPacked(builder, spritesPacked):
+    builder.PrependUOffsetTRelativeSlot(15, flatbuffers.number_types.UOffsetTFlags.py_type(spritesPacked), 0)
+
+def ResourcesAddKeyframesPacked(builder, keyframesPacked):
+    builder.PrependUOffsetTRelativeSlot(16, flatbuffers.number_types.UOffsetTFlags.py_type(keyframesPacked), 0)
+
+def ResourcesAddAnimclassesPacked(builder, animclassesPacked):
+    builder.PrependUOffsetTRelativeSlot(17, flatbuffers.number_types.UOffsetTFlags.py_type(animclassesPacked), 0)
+
+def ResourcesAddSoundclassesPacked(builder, soundclassesPacked):
+    builder.PrependUOffsetTRelativeSlot(18, flatbuffers.number_types.UOffsetTFlags.py_type(soundclassesPacked), 0)
+
+def ResourcesAddCogscriptsPacked(builder, cogscriptsPacked):
+    builder.PrependUOffsetTRelativeSlot(19, flatbuffers.number_types.UOffsetTFlags.py_type(cogscriptsPacked), 0)
 
 def ResourcesEnd(builder):
     return builder.EndObject()
@@ -1802,8 +2429,368 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
         return o == 0
 
+    # Geometry
+    def VerticesPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(76))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def TextureVerticesPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(78))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def AdjoinFlagsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(80))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def AdjoinMirrorPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(82))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def AdjoinDistancePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(84))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def AdjoinSurfacePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(86))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceMaterialPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceFlagsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceFaceFlagsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceGeometryModePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceLightModePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceTextureModePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(98))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceAdjoinPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(100))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceExtraLightPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(102))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceNormalPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(104))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceSectorPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(106))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceCornerStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(108))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def CornerVertexPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(110))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def CornerTextureVertexPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(112))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SurfaceLightStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(114))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def CornerLightPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(116))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorFlagsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(118))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorAmbientLightPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(120))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorExtraLightPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(122))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorColormapPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(124))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorTintPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(126))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorBoundBoxPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(128))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorCollideBoxPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(130))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorSoundPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(132))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorSoundVolumePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(134))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorCenterPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(136))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorRadiusPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(138))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorVertexStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(140))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorVertexPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(142))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorFirstSurfacePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(144))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Geometry
+    def SectorSurfaceCountPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(146))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def GeometryStart(builder):
-    builder.StartObject(36)
+    builder.StartObject(72)
 
 def GeometryAddVertices(builder, vertices):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(vertices), 0)
@@ -2020,6 +3007,114 @@ def GeometryAddSectorSurfaceCount(builder, sectorSurfaceCount):
 
 def GeometryStartSectorSurfaceCountVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
+
+def GeometryAddVerticesPacked(builder, verticesPacked):
+    builder.PrependUOffsetTRelativeSlot(36, flatbuffers.number_types.UOffsetTFlags.py_type(verticesPacked), 0)
+
+def GeometryAddTextureVerticesPacked(builder, textureVerticesPacked):
+    builder.PrependUOffsetTRelativeSlot(37, flatbuffers.number_types.UOffsetTFlags.py_type(textureVerticesPacked), 0)
+
+def GeometryAddAdjoinFlagsPacked(builder, adjoinFlagsPacked):
+    builder.PrependUOffsetTRelativeSlot(38, flatbuffers.number_types.UOffsetTFlags.py_type(adjoinFlagsPacked), 0)
+
+def GeometryAddAdjoinMirrorPacked(builder, adjoinMirrorPacked):
+    builder.PrependUOffsetTRelativeSlot(39, flatbuffers.number_types.UOffsetTFlags.py_type(adjoinMirrorPacked), 0)
+
+def GeometryAddAdjoinDistancePacked(builder, adjoinDistancePacked):
+    builder.PrependUOffsetTRelativeSlot(40, flatbuffers.number_types.UOffsetTFlags.py_type(adjoinDistancePacked), 0)
+
+def GeometryAddAdjoinSurfacePacked(builder, adjoinSurfacePacked):
+    builder.PrependUOffsetTRelativeSlot(41, flatbuffers.number_types.UOffsetTFlags.py_type(adjoinSurfacePacked), 0)
+
+def GeometryAddSurfaceMaterialPacked(builder, surfaceMaterialPacked):
+    builder.PrependUOffsetTRelativeSlot(42, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceMaterialPacked), 0)
+
+def GeometryAddSurfaceFlagsPacked(builder, surfaceFlagsPacked):
+    builder.PrependUOffsetTRelativeSlot(43, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceFlagsPacked), 0)
+
+def GeometryAddSurfaceFaceFlagsPacked(builder, surfaceFaceFlagsPacked):
+    builder.PrependUOffsetTRelativeSlot(44, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceFaceFlagsPacked), 0)
+
+def GeometryAddSurfaceGeometryModePacked(builder, surfaceGeometryModePacked):
+    builder.PrependUOffsetTRelativeSlot(45, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceGeometryModePacked), 0)
+
+def GeometryAddSurfaceLightModePacked(builder, surfaceLightModePacked):
+    builder.PrependUOffsetTRelativeSlot(46, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceLightModePacked), 0)
+
+def GeometryAddSurfaceTextureModePacked(builder, surfaceTextureModePacked):
+    builder.PrependUOffsetTRelativeSlot(47, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceTextureModePacked), 0)
+
+def GeometryAddSurfaceAdjoinPacked(builder, surfaceAdjoinPacked):
+    builder.PrependUOffsetTRelativeSlot(48, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceAdjoinPacked), 0)
+
+def GeometryAddSurfaceExtraLightPacked(builder, surfaceExtraLightPacked):
+    builder.PrependUOffsetTRelativeSlot(49, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceExtraLightPacked), 0)
+
+def GeometryAddSurfaceNormalPacked(builder, surfaceNormalPacked):
+    builder.PrependUOffsetTRelativeSlot(50, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceNormalPacked), 0)
+
+def GeometryAddSurfaceSectorPacked(builder, surfaceSectorPacked):
+    builder.PrependUOffsetTRelativeSlot(51, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceSectorPacked), 0)
+
+def GeometryAddSurfaceCornerStartPacked(builder, surfaceCornerStartPacked):
+    builder.PrependUOffsetTRelativeSlot(52, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceCornerStartPacked), 0)
+
+def GeometryAddCornerVertexPacked(builder, cornerVertexPacked):
+    builder.PrependUOffsetTRelativeSlot(53, flatbuffers.number_types.UOffsetTFlags.py_type(cornerVertexPacked), 0)
+
+def GeometryAddCornerTextureVertexPacked(builder, cornerTextureVertexPacked):
+    builder.PrependUOffsetTRelativeSlot(54, flatbuffers.number_types.UOffsetTFlags.py_type(cornerTextureVertexPacked), 0)
+
+def GeometryAddSurfaceLightStartPacked(builder, surfaceLightStartPacked):
+    builder.PrependUOffsetTRelativeSlot(55, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceLightStartPacked), 0)
+
+def GeometryAddCornerLightPacked(builder, cornerLightPacked):
+    builder.PrependUOffsetTRelativeSlot(56, flatbuffers.number_types.UOffsetTFlags.py_type(cornerLightPacked), 0)
+
+def GeometryAddSectorFlagsPacked(builder, sectorFlagsPacked):
+    builder.PrependUOffsetTRelativeSlot(57, flatbuffers.number_types.UOffsetTFlags.py_type(sectorFlagsPacked), 0)
+
+def GeometryAddSectorAmbientLightPacked(builder, sectorAmbientLightPacked):
+    builder.PrependUOffsetTRelativeSlot(58, flatbuffers.number_types.UOffsetTFlags.py_type(sectorAmbientLightPacked), 0)
+
+def GeometryAddSectorExtraLightPacked(builder, sectorExtraLightPacked):
+    builder.PrependUOffsetTRelativeSlot(59, flatbuffers.number_types.UOffsetTFlags.py_type(sectorExtraLightPacked), 0)
+
+def GeometryAddSectorColormapPacked(builder, sectorColormapPacked):
+    builder.PrependUOffsetTRelativeSlot(60, flatbuffers.number_types.UOffsetTFlags.py_type(sectorColormapPacked), 0)
+
+def GeometryAddSectorTintPacked(builder, sectorTintPacked):
+    builder.PrependUOffsetTRelativeSlot(61, flatbuffers.number_types.UOffsetTFlags.py_type(sectorTintPacked), 0)
+
+def GeometryAddSectorBoundBoxPacked(builder, sectorBoundBoxPacked):
+    builder.PrependUOffsetTRelativeSlot(62, flatbuffers.number_types.UOffsetTFlags.py_type(sectorBoundBoxPacked), 0)
+
+def GeometryAddSectorCollideBoxPacked(builder, sectorCollideBoxPacked):
+    builder.PrependUOffsetTRelativeSlot(63, flatbuffers.number_types.UOffsetTFlags.py_type(sectorCollideBoxPacked), 0)
+
+def GeometryAddSectorSoundPacked(builder, sectorSoundPacked):
+    builder.PrependUOffsetTRelativeSlot(64, flatbuffers.number_types.UOffsetTFlags.py_type(sectorSoundPacked), 0)
+
+def GeometryAddSectorSoundVolumePacked(builder, sectorSoundVolumePacked):
+    builder.PrependUOffsetTRelativeSlot(65, flatbuffers.number_types.UOffsetTFlags.py_type(sectorSoundVolumePacked), 0)
+
+def GeometryAddSectorCenterPacked(builder, sectorCenterPacked):
+    builder.PrependUOffsetTRelativeSlot(66, flatbuffers.number_types.UOffsetTFlags.py_type(sectorCenterPacked), 0)
+
+def GeometryAddSectorRadiusPacked(builder, sectorRadiusPacked):
+    builder.PrependUOffsetTRelativeSlot(67, flatbuffers.number_types.UOffsetTFlags.py_type(sectorRadiusPacked), 0)
+
+def GeometryAddSectorVertexStartPacked(builder, sectorVertexStartPacked):
+    builder.PrependUOffsetTRelativeSlot(68, flatbuffers.number_types.UOffsetTFlags.py_type(sectorVertexStartPacked), 0)
+
+def GeometryAddSectorVertexPacked(builder, sectorVertexPacked):
+    builder.PrependUOffsetTRelativeSlot(69, flatbuffers.number_types.UOffsetTFlags.py_type(sectorVertexPacked), 0)
+
+def GeometryAddSectorFirstSurfacePacked(builder, sectorFirstSurfacePacked):
+    builder.PrependUOffsetTRelativeSlot(70, flatbuffers.number_types.UOffsetTFlags.py_type(sectorFirstSurfacePacked), 0)
+
+def GeometryAddSectorSurfaceCountPacked(builder, sectorSurfaceCountPacked):
+    builder.PrependUOffsetTRelativeSlot(71, flatbuffers.number_types.UOffsetTFlags.py_type(sectorSurfaceCountPacked), 0)
 
 def GeometryEnd(builder):
     return builder.EndObject()
@@ -2465,8 +3560,386 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
         return o == 0
 
+    # Templates
+    def SourcePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def NamePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def ParentPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def ParameterStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def ParameterKeyPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def ParameterValuePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def TypePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def MovePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def HasAiPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def ValueStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def ValueKeyPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def ValueTextPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(56))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def ValueSourcePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def NumberStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(60))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def NumberPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(62))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Which of the lists below holds the numbers of a value.
+    # Templates
+    def ValueList(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(64))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def ValueListAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(64))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Templates
+    def ValueListLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(64))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def ValueListIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(64))
+        return o == 0
+
+    # Cuts `list_number` into lists, each once: 1 for a number or flags, 3 for a vector, 6 a frame, none for a name and
+    # for what is not known.
+    # Templates
+    def ListStart(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(66))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def ListStartAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(66))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Templates
+    def ListStartLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(66))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def ListStartIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(66))
+        return o == 0
+
+    # float32 values and 32-bit flags, both exact.
+    # Templates
+    def ListNumber(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(68))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Float64Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 8))
+        return 0
+
+    # Templates
+    def ListNumberAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(68))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Float64Flags, o)
+        return 0
+
+    # Templates
+    def ListNumberLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(68))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def ListNumberIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(68))
+        return o == 0
+
+    # Cuts the parameters as written that no value tells: of which the engine makes nothing, which a later one
+    # replaces, or whose value is not known.
+    # Templates
+    def UnusedStart(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(70))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def UnusedStartAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(70))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Templates
+    def UnusedStartLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(70))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def UnusedStartIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(70))
+        return o == 0
+
+    # Templates
+    def UnusedKey(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(72))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def UnusedKeyAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(72))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Templates
+    def UnusedKeyLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(72))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def UnusedKeyIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(72))
+        return o == 0
+
+    # Templates
+    def UnusedValue(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def UnusedValueAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Templates
+    def UnusedValueLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def UnusedValueIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
+        return o == 0
+
+    # Templates
+    def ValueListPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(76))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def ListStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(78))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def ListNumberPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(80))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def UnusedStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(82))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def UnusedKeyPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(84))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Templates
+    def UnusedValuePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(86))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def TemplatesStart(builder):
-    builder.StartObject(15)
+    builder.StartObject(42)
 
 def TemplatesAddSource(builder, source):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(source), 0)
@@ -2557,6 +4030,105 @@ def TemplatesAddNumber(builder, number):
 
 def TemplatesStartNumberVector(builder, numElems):
     return builder.StartVector(8, numElems, 8)
+
+def TemplatesAddSourcePacked(builder, sourcePacked):
+    builder.PrependUOffsetTRelativeSlot(15, flatbuffers.number_types.UOffsetTFlags.py_type(sourcePacked), 0)
+
+def TemplatesAddNamePacked(builder, namePacked):
+    builder.PrependUOffsetTRelativeSlot(16, flatbuffers.number_types.UOffsetTFlags.py_type(namePacked), 0)
+
+def TemplatesAddParentPacked(builder, parentPacked):
+    builder.PrependUOffsetTRelativeSlot(17, flatbuffers.number_types.UOffsetTFlags.py_type(parentPacked), 0)
+
+def TemplatesAddParameterStartPacked(builder, parameterStartPacked):
+    builder.PrependUOffsetTRelativeSlot(18, flatbuffers.number_types.UOffsetTFlags.py_type(parameterStartPacked), 0)
+
+def TemplatesAddParameterKeyPacked(builder, parameterKeyPacked):
+    builder.PrependUOffsetTRelativeSlot(19, flatbuffers.number_types.UOffsetTFlags.py_type(parameterKeyPacked), 0)
+
+def TemplatesAddParameterValuePacked(builder, parameterValuePacked):
+    builder.PrependUOffsetTRelativeSlot(20, flatbuffers.number_types.UOffsetTFlags.py_type(parameterValuePacked), 0)
+
+def TemplatesAddTypePacked(builder, typePacked):
+    builder.PrependUOffsetTRelativeSlot(21, flatbuffers.number_types.UOffsetTFlags.py_type(typePacked), 0)
+
+def TemplatesAddMovePacked(builder, movePacked):
+    builder.PrependUOffsetTRelativeSlot(22, flatbuffers.number_types.UOffsetTFlags.py_type(movePacked), 0)
+
+def TemplatesAddHasAiPacked(builder, hasAiPacked):
+    builder.PrependUOffsetTRelativeSlot(23, flatbuffers.number_types.UOffsetTFlags.py_type(hasAiPacked), 0)
+
+def TemplatesAddValueStartPacked(builder, valueStartPacked):
+    builder.PrependUOffsetTRelativeSlot(24, flatbuffers.number_types.UOffsetTFlags.py_type(valueStartPacked), 0)
+
+def TemplatesAddValueKeyPacked(builder, valueKeyPacked):
+    builder.PrependUOffsetTRelativeSlot(25, flatbuffers.number_types.UOffsetTFlags.py_type(valueKeyPacked), 0)
+
+def TemplatesAddValueTextPacked(builder, valueTextPacked):
+    builder.PrependUOffsetTRelativeSlot(26, flatbuffers.number_types.UOffsetTFlags.py_type(valueTextPacked), 0)
+
+def TemplatesAddValueSourcePacked(builder, valueSourcePacked):
+    builder.PrependUOffsetTRelativeSlot(27, flatbuffers.number_types.UOffsetTFlags.py_type(valueSourcePacked), 0)
+
+def TemplatesAddNumberStartPacked(builder, numberStartPacked):
+    builder.PrependUOffsetTRelativeSlot(28, flatbuffers.number_types.UOffsetTFlags.py_type(numberStartPacked), 0)
+
+def TemplatesAddNumberPacked(builder, numberPacked):
+    builder.PrependUOffsetTRelativeSlot(29, flatbuffers.number_types.UOffsetTFlags.py_type(numberPacked), 0)
+
+def TemplatesAddValueList(builder, valueList):
+    builder.PrependUOffsetTRelativeSlot(30, flatbuffers.number_types.UOffsetTFlags.py_type(valueList), 0)
+
+def TemplatesStartValueListVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddListStart(builder, listStart):
+    builder.PrependUOffsetTRelativeSlot(31, flatbuffers.number_types.UOffsetTFlags.py_type(listStart), 0)
+
+def TemplatesStartListStartVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddListNumber(builder, listNumber):
+    builder.PrependUOffsetTRelativeSlot(32, flatbuffers.number_types.UOffsetTFlags.py_type(listNumber), 0)
+
+def TemplatesStartListNumberVector(builder, numElems):
+    return builder.StartVector(8, numElems, 8)
+
+def TemplatesAddUnusedStart(builder, unusedStart):
+    builder.PrependUOffsetTRelativeSlot(33, flatbuffers.number_types.UOffsetTFlags.py_type(unusedStart), 0)
+
+def TemplatesStartUnusedStartVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddUnusedKey(builder, unusedKey):
+    builder.PrependUOffsetTRelativeSlot(34, flatbuffers.number_types.UOffsetTFlags.py_type(unusedKey), 0)
+
+def TemplatesStartUnusedKeyVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddUnusedValue(builder, unusedValue):
+    builder.PrependUOffsetTRelativeSlot(35, flatbuffers.number_types.UOffsetTFlags.py_type(unusedValue), 0)
+
+def TemplatesStartUnusedValueVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddValueListPacked(builder, valueListPacked):
+    builder.PrependUOffsetTRelativeSlot(36, flatbuffers.number_types.UOffsetTFlags.py_type(valueListPacked), 0)
+
+def TemplatesAddListStartPacked(builder, listStartPacked):
+    builder.PrependUOffsetTRelativeSlot(37, flatbuffers.number_types.UOffsetTFlags.py_type(listStartPacked), 0)
+
+def TemplatesAddListNumberPacked(builder, listNumberPacked):
+    builder.PrependUOffsetTRelativeSlot(38, flatbuffers.number_types.UOffsetTFlags.py_type(listNumberPacked), 0)
+
+def TemplatesAddUnusedStartPacked(builder, unusedStartPacked):
+    builder.PrependUOffsetTRelativeSlot(39, flatbuffers.number_types.UOffsetTFlags.py_type(unusedStartPacked), 0)
+
+def TemplatesAddUnusedKeyPacked(builder, unusedKeyPacked):
+    builder.PrependUOffsetTRelativeSlot(40, flatbuffers.number_types.UOffsetTFlags.py_type(unusedKeyPacked), 0)
+
+def TemplatesAddUnusedValuePacked(builder, unusedValuePacked):
+    builder.PrependUOffsetTRelativeSlot(41, flatbuffers.number_types.UOffsetTFlags.py_type(unusedValuePacked), 0)
 
 def TemplatesEnd(builder):
     return builder.EndObject()
@@ -2887,8 +4459,118 @@ class Things(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
         return o == 0
 
+    # Things
+    def SourcePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Things
+    def NumberPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Things
+    def TemplatePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Things
+    def NamePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Things
+    def PositionPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Things
+    def AnglesPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Things
+    def SectorPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Things
+    def ArchLightPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Things
+    def ParameterStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Things
+    def ParameterKeyPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Things
+    def ParameterValuePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def ThingsStart(builder):
-    builder.StartObject(11)
+    builder.StartObject(22)
 
 def ThingsAddSource(builder, source):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(source), 0)
@@ -2955,6 +4637,39 @@ def ThingsAddParameterValue(builder, parameterValue):
 
 def ThingsStartParameterValueVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
+
+def ThingsAddSourcePacked(builder, sourcePacked):
+    builder.PrependUOffsetTRelativeSlot(11, flatbuffers.number_types.UOffsetTFlags.py_type(sourcePacked), 0)
+
+def ThingsAddNumberPacked(builder, numberPacked):
+    builder.PrependUOffsetTRelativeSlot(12, flatbuffers.number_types.UOffsetTFlags.py_type(numberPacked), 0)
+
+def ThingsAddTemplatePacked(builder, templatePacked):
+    builder.PrependUOffsetTRelativeSlot(13, flatbuffers.number_types.UOffsetTFlags.py_type(templatePacked), 0)
+
+def ThingsAddNamePacked(builder, namePacked):
+    builder.PrependUOffsetTRelativeSlot(14, flatbuffers.number_types.UOffsetTFlags.py_type(namePacked), 0)
+
+def ThingsAddPositionPacked(builder, positionPacked):
+    builder.PrependUOffsetTRelativeSlot(15, flatbuffers.number_types.UOffsetTFlags.py_type(positionPacked), 0)
+
+def ThingsAddAnglesPacked(builder, anglesPacked):
+    builder.PrependUOffsetTRelativeSlot(16, flatbuffers.number_types.UOffsetTFlags.py_type(anglesPacked), 0)
+
+def ThingsAddSectorPacked(builder, sectorPacked):
+    builder.PrependUOffsetTRelativeSlot(17, flatbuffers.number_types.UOffsetTFlags.py_type(sectorPacked), 0)
+
+def ThingsAddArchLightPacked(builder, archLightPacked):
+    builder.PrependUOffsetTRelativeSlot(18, flatbuffers.number_types.UOffsetTFlags.py_type(archLightPacked), 0)
+
+def ThingsAddParameterStartPacked(builder, parameterStartPacked):
+    builder.PrependUOffsetTRelativeSlot(19, flatbuffers.number_types.UOffsetTFlags.py_type(parameterStartPacked), 0)
+
+def ThingsAddParameterKeyPacked(builder, parameterKeyPacked):
+    builder.PrependUOffsetTRelativeSlot(20, flatbuffers.number_types.UOffsetTFlags.py_type(parameterKeyPacked), 0)
+
+def ThingsAddParameterValuePacked(builder, parameterValuePacked):
+    builder.PrependUOffsetTRelativeSlot(21, flatbuffers.number_types.UOffsetTFlags.py_type(parameterValuePacked), 0)
 
 def ThingsEnd(builder):
     return builder.EndObject()
@@ -3093,8 +4808,48 @@ class Cogs(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # Cogs
+    def SourcePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Cogs
+    def ScriptPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Cogs
+    def ValueStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Cogs
+    def ValuePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def CogsStart(builder):
-    builder.StartObject(4)
+    builder.StartObject(8)
 
 def CogsAddSource(builder, source):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(source), 0)
@@ -3119,6 +4874,18 @@ def CogsAddValue(builder, value):
 
 def CogsStartValueVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
+
+def CogsAddSourcePacked(builder, sourcePacked):
+    builder.PrependUOffsetTRelativeSlot(4, flatbuffers.number_types.UOffsetTFlags.py_type(sourcePacked), 0)
+
+def CogsAddScriptPacked(builder, scriptPacked):
+    builder.PrependUOffsetTRelativeSlot(5, flatbuffers.number_types.UOffsetTFlags.py_type(scriptPacked), 0)
+
+def CogsAddValueStartPacked(builder, valueStartPacked):
+    builder.PrependUOffsetTRelativeSlot(6, flatbuffers.number_types.UOffsetTFlags.py_type(valueStartPacked), 0)
+
+def CogsAddValuePacked(builder, valuePacked):
+    builder.PrependUOffsetTRelativeSlot(7, flatbuffers.number_types.UOffsetTFlags.py_type(valuePacked), 0)
 
 def CogsEnd(builder):
     return builder.EndObject()
@@ -3190,6 +4957,7 @@ class Omission(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
+    # Up to 1.1, the names; since then `name_text`.
     # Omission
     def Name(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -3210,8 +4978,55 @@ class Omission(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # Omission
+    def NameText(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Omission
+    def NameTextAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Omission
+    def NameTextLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Omission
+    def NameTextIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        return o == 0
+
+    # Omission
+    def SourcePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Omission
+    def NameTextPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def OmissionStart(builder):
-    builder.StartObject(4)
+    builder.StartObject(7)
 
 def OmissionAddSection(builder, section):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(section), 0)
@@ -3230,6 +5045,18 @@ def OmissionAddName(builder, name):
 
 def OmissionStartNameVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
+
+def OmissionAddNameText(builder, nameText):
+    builder.PrependUOffsetTRelativeSlot(4, flatbuffers.number_types.UOffsetTFlags.py_type(nameText), 0)
+
+def OmissionStartNameTextVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def OmissionAddSourcePacked(builder, sourcePacked):
+    builder.PrependUOffsetTRelativeSlot(5, flatbuffers.number_types.UOffsetTFlags.py_type(sourcePacked), 0)
+
+def OmissionAddNameTextPacked(builder, nameTextPacked):
+    builder.PrependUOffsetTRelativeSlot(6, flatbuffers.number_types.UOffsetTFlags.py_type(nameTextPacked), 0)
 
 def OmissionEnd(builder):
     return builder.EndObject()
@@ -3344,8 +5171,38 @@ class Visibility(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
+    # Visibility
+    def SectorPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Visibility
+    def RowStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Visibility
+    def RowPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def VisibilityStart(builder):
-    builder.StartObject(3)
+    builder.StartObject(6)
 
 def VisibilityAddSector(builder, sector):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(sector), 0)
@@ -3364,6 +5221,15 @@ def VisibilityAddRow(builder, row):
 
 def VisibilityStartRowVector(builder, numElems):
     return builder.StartVector(1, numElems, 1)
+
+def VisibilityAddSectorPacked(builder, sectorPacked):
+    builder.PrependUOffsetTRelativeSlot(3, flatbuffers.number_types.UOffsetTFlags.py_type(sectorPacked), 0)
+
+def VisibilityAddRowStartPacked(builder, rowStartPacked):
+    builder.PrependUOffsetTRelativeSlot(4, flatbuffers.number_types.UOffsetTFlags.py_type(rowStartPacked), 0)
+
+def VisibilityAddRowPacked(builder, rowPacked):
+    builder.PrependUOffsetTRelativeSlot(5, flatbuffers.number_types.UOffsetTFlags.py_type(rowPacked), 0)
 
 def VisibilityEnd(builder):
     return builder.EndObject()
@@ -3531,7 +5397,8 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
-    # 1 where play can create more things that carry it.
+    # 1 where there can be more calls than is known: play can create more things that carry it, it gets messages from a
+    # script that sends them to a COG which is not known.
     # Hotspots
     def More(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -3559,7 +5426,8 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
-    # Of what lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing bounds it.
+    # At most, of what is known and lasts: pulses, timers that are set again, loops that sleep. Infinite where nothing
+    # bounds it.
     # Hotspots
     def CallsPerSecond(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -3752,8 +5620,138 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
         return o == 0
 
+    # Hotspots
+    def CogPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def ScriptPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def VerbPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def LinePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def ThingsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def MorePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def CallsPerSecondPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def MeanSectorsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def MeanSurfacesPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def MostSectorsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def MostSurfacesPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def PairsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Hotspots
+    def VerdictPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def HotspotsStart(builder):
-    builder.StartObject(13)
+    builder.StartObject(26)
 
 def HotspotsAddCog(builder, cog):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(cog), 0)
@@ -3832,6 +5830,45 @@ def HotspotsAddVerdict(builder, verdict):
 
 def HotspotsStartVerdictVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
+
+def HotspotsAddCogPacked(builder, cogPacked):
+    builder.PrependUOffsetTRelativeSlot(13, flatbuffers.number_types.UOffsetTFlags.py_type(cogPacked), 0)
+
+def HotspotsAddScriptPacked(builder, scriptPacked):
+    builder.PrependUOffsetTRelativeSlot(14, flatbuffers.number_types.UOffsetTFlags.py_type(scriptPacked), 0)
+
+def HotspotsAddVerbPacked(builder, verbPacked):
+    builder.PrependUOffsetTRelativeSlot(15, flatbuffers.number_types.UOffsetTFlags.py_type(verbPacked), 0)
+
+def HotspotsAddLinePacked(builder, linePacked):
+    builder.PrependUOffsetTRelativeSlot(16, flatbuffers.number_types.UOffsetTFlags.py_type(linePacked), 0)
+
+def HotspotsAddThingsPacked(builder, thingsPacked):
+    builder.PrependUOffsetTRelativeSlot(17, flatbuffers.number_types.UOffsetTFlags.py_type(thingsPacked), 0)
+
+def HotspotsAddMorePacked(builder, morePacked):
+    builder.PrependUOffsetTRelativeSlot(18, flatbuffers.number_types.UOffsetTFlags.py_type(morePacked), 0)
+
+def HotspotsAddCallsPerSecondPacked(builder, callsPerSecondPacked):
+    builder.PrependUOffsetTRelativeSlot(19, flatbuffers.number_types.UOffsetTFlags.py_type(callsPerSecondPacked), 0)
+
+def HotspotsAddMeanSectorsPacked(builder, meanSectorsPacked):
+    builder.PrependUOffsetTRelativeSlot(20, flatbuffers.number_types.UOffsetTFlags.py_type(meanSectorsPacked), 0)
+
+def HotspotsAddMeanSurfacesPacked(builder, meanSurfacesPacked):
+    builder.PrependUOffsetTRelativeSlot(21, flatbuffers.number_types.UOffsetTFlags.py_type(meanSurfacesPacked), 0)
+
+def HotspotsAddMostSectorsPacked(builder, mostSectorsPacked):
+    builder.PrependUOffsetTRelativeSlot(22, flatbuffers.number_types.UOffsetTFlags.py_type(mostSectorsPacked), 0)
+
+def HotspotsAddMostSurfacesPacked(builder, mostSurfacesPacked):
+    builder.PrependUOffsetTRelativeSlot(23, flatbuffers.number_types.UOffsetTFlags.py_type(mostSurfacesPacked), 0)
+
+def HotspotsAddPairsPacked(builder, pairsPacked):
+    builder.PrependUOffsetTRelativeSlot(24, flatbuffers.number_types.UOffsetTFlags.py_type(pairsPacked), 0)
+
+def HotspotsAddVerdictPacked(builder, verdictPacked):
+    builder.PrependUOffsetTRelativeSlot(25, flatbuffers.number_types.UOffsetTFlags.py_type(verdictPacked), 0)
 
 def HotspotsEnd(builder):
     return builder.EndObject()
@@ -4054,8 +6091,78 @@ class Lights(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
+    # Lights
+    def ThingPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Lights
+    def PositionPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Lights
+    def IntensityPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Lights
+    def ReachPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Lights
+    def VertexStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Lights
+    def VertexPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Lights
+    def AmountPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def LightsStart(builder):
-    builder.StartObject(7)
+    builder.StartObject(14)
 
 def LightsAddThing(builder, thing):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(thing), 0)
@@ -4099,12 +6206,34 @@ def LightsAddAmount(builder, amount):
 def LightsStartAmountVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
 
+def LightsAddThingPacked(builder, thingPacked):
+    builder.PrependUOffsetTRelativeSlot(7, flatbuffers.number_types.UOffsetTFlags.py_type(thingPacked), 0)
+
+def LightsAddPositionPacked(builder, positionPacked):
+    builder.PrependUOffsetTRelativeSlot(8, flatbuffers.number_types.UOffsetTFlags.py_type(positionPacked), 0)
+
+def LightsAddIntensityPacked(builder, intensityPacked):
+    builder.PrependUOffsetTRelativeSlot(9, flatbuffers.number_types.UOffsetTFlags.py_type(intensityPacked), 0)
+
+def LightsAddReachPacked(builder, reachPacked):
+    builder.PrependUOffsetTRelativeSlot(10, flatbuffers.number_types.UOffsetTFlags.py_type(reachPacked), 0)
+
+def LightsAddVertexStartPacked(builder, vertexStartPacked):
+    builder.PrependUOffsetTRelativeSlot(11, flatbuffers.number_types.UOffsetTFlags.py_type(vertexStartPacked), 0)
+
+def LightsAddVertexPacked(builder, vertexPacked):
+    builder.PrependUOffsetTRelativeSlot(12, flatbuffers.number_types.UOffsetTFlags.py_type(vertexPacked), 0)
+
+def LightsAddAmountPacked(builder, amountPacked):
+    builder.PrependUOffsetTRelativeSlot(13, flatbuffers.number_types.UOffsetTFlags.py_type(amountPacked), 0)
+
 def LightsEnd(builder):
     return builder.EndObject()
 
 
 
-# Templates of type particle that the level can reach, as the engine takes their values.
+# Templates of type particle that the level can reach, as the engine takes their values. Of a cloud that is made of a PAR
+# file, count, size and material are the file's, and its places: range, minsize, pitchrange and yawrange then do nothing.
 class Particles(object):
     __slots__ = ['_tab']
 
@@ -4210,7 +6339,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
-    # Particles that are created: the count from 0 to 256.
+    # Particles that are created: the count from 0 to 256; -1 for a PAR file that is not at hand.
     # Particles
     def Spawned(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -4403,6 +6532,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
+    # NaN for a PAR file that is not at hand.
     # Particles
     def Elementsize(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -4484,7 +6614,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
         return o == 0
 
-    # 0 fully bright, 2 lit.
+    # 0 fully bright, 2 lit; -1 where a PAR file says it.
     # Particles
     def LightMode(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
@@ -4512,8 +6642,148 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
         return o == 0
 
+    # Particles
+    def TemplatePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def MaterialPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def CelsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def SpawnedPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def TimerMsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def FlagsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def RangePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def MinsizePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def LostAStepPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def MaxthrustPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def ElementsizePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def PitchrangePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def YawrangePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(56))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Particles
+    def LightModePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def ParticlesStart(builder):
-    builder.StartObject(14)
+    builder.StartObject(28)
 
 def ParticlesAddTemplate(builder, template):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(template), 0)
@@ -4598,6 +6868,48 @@ def ParticlesAddLightMode(builder, lightMode):
 
 def ParticlesStartLightModeVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
+
+def ParticlesAddTemplatePacked(builder, templatePacked):
+    builder.PrependUOffsetTRelativeSlot(14, flatbuffers.number_types.UOffsetTFlags.py_type(templatePacked), 0)
+
+def ParticlesAddMaterialPacked(builder, materialPacked):
+    builder.PrependUOffsetTRelativeSlot(15, flatbuffers.number_types.UOffsetTFlags.py_type(materialPacked), 0)
+
+def ParticlesAddCelsPacked(builder, celsPacked):
+    builder.PrependUOffsetTRelativeSlot(16, flatbuffers.number_types.UOffsetTFlags.py_type(celsPacked), 0)
+
+def ParticlesAddSpawnedPacked(builder, spawnedPacked):
+    builder.PrependUOffsetTRelativeSlot(17, flatbuffers.number_types.UOffsetTFlags.py_type(spawnedPacked), 0)
+
+def ParticlesAddTimerMsPacked(builder, timerMsPacked):
+    builder.PrependUOffsetTRelativeSlot(18, flatbuffers.number_types.UOffsetTFlags.py_type(timerMsPacked), 0)
+
+def ParticlesAddFlagsPacked(builder, flagsPacked):
+    builder.PrependUOffsetTRelativeSlot(19, flatbuffers.number_types.UOffsetTFlags.py_type(flagsPacked), 0)
+
+def ParticlesAddRangePacked(builder, rangePacked):
+    builder.PrependUOffsetTRelativeSlot(20, flatbuffers.number_types.UOffsetTFlags.py_type(rangePacked), 0)
+
+def ParticlesAddMinsizePacked(builder, minsizePacked):
+    builder.PrependUOffsetTRelativeSlot(21, flatbuffers.number_types.UOffsetTFlags.py_type(minsizePacked), 0)
+
+def ParticlesAddLostAStepPacked(builder, lostAStepPacked):
+    builder.PrependUOffsetTRelativeSlot(22, flatbuffers.number_types.UOffsetTFlags.py_type(lostAStepPacked), 0)
+
+def ParticlesAddMaxthrustPacked(builder, maxthrustPacked):
+    builder.PrependUOffsetTRelativeSlot(23, flatbuffers.number_types.UOffsetTFlags.py_type(maxthrustPacked), 0)
+
+def ParticlesAddElementsizePacked(builder, elementsizePacked):
+    builder.PrependUOffsetTRelativeSlot(24, flatbuffers.number_types.UOffsetTFlags.py_type(elementsizePacked), 0)
+
+def ParticlesAddPitchrangePacked(builder, pitchrangePacked):
+    builder.PrependUOffsetTRelativeSlot(25, flatbuffers.number_types.UOffsetTFlags.py_type(pitchrangePacked), 0)
+
+def ParticlesAddYawrangePacked(builder, yawrangePacked):
+    builder.PrependUOffsetTRelativeSlot(26, flatbuffers.number_types.UOffsetTFlags.py_type(yawrangePacked), 0)
+
+def ParticlesAddLightModePacked(builder, lightModePacked):
+    builder.PrependUOffsetTRelativeSlot(27, flatbuffers.number_types.UOffsetTFlags.py_type(lightModePacked), 0)
 
 def ParticlesEnd(builder):
     return builder.EndObject()
@@ -4794,8 +7106,68 @@ class ColourEffects(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # ColourEffects
+    def CogPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # ColourEffects
+    def ScriptPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # ColourEffects
+    def LinePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # ColourEffects
+    def ArgumentPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # ColourEffects
+    def ColormapPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # ColourEffects
+    def PalettePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def ColourEffectsStart(builder):
-    builder.StartObject(6)
+    builder.StartObject(12)
 
 def ColourEffectsAddCog(builder, cog):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(cog), 0)
@@ -4832,6 +7204,24 @@ def ColourEffectsAddPalette(builder, palette):
 
 def ColourEffectsStartPaletteVector(builder, numElems):
     return builder.StartVector(1, numElems, 1)
+
+def ColourEffectsAddCogPacked(builder, cogPacked):
+    builder.PrependUOffsetTRelativeSlot(6, flatbuffers.number_types.UOffsetTFlags.py_type(cogPacked), 0)
+
+def ColourEffectsAddScriptPacked(builder, scriptPacked):
+    builder.PrependUOffsetTRelativeSlot(7, flatbuffers.number_types.UOffsetTFlags.py_type(scriptPacked), 0)
+
+def ColourEffectsAddLinePacked(builder, linePacked):
+    builder.PrependUOffsetTRelativeSlot(8, flatbuffers.number_types.UOffsetTFlags.py_type(linePacked), 0)
+
+def ColourEffectsAddArgumentPacked(builder, argumentPacked):
+    builder.PrependUOffsetTRelativeSlot(9, flatbuffers.number_types.UOffsetTFlags.py_type(argumentPacked), 0)
+
+def ColourEffectsAddColormapPacked(builder, colormapPacked):
+    builder.PrependUOffsetTRelativeSlot(10, flatbuffers.number_types.UOffsetTFlags.py_type(colormapPacked), 0)
+
+def ColourEffectsAddPalettePacked(builder, palettePacked):
+    builder.PrependUOffsetTRelativeSlot(11, flatbuffers.number_types.UOffsetTFlags.py_type(palettePacked), 0)
 
 def ColourEffectsEnd(builder):
     return builder.EndObject()
@@ -5134,6 +7524,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
+    # Jumps at 50 frames a second; at `fast` by the closed form, at `exact` the least over 10 to 120 frames a second.
     # Motion
     def JumpHeight(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -5188,7 +7579,8 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
         return o == 0
 
-    # Over level ground, from a walk and from a run.
+    # Until the body is as high again as it started, from a walk and from a run, the forward key held: not until it lands,
+    # which the hover height decides.
     # Motion
     def JumpReach(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
@@ -5243,8 +7635,148 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
         return o == 0
 
+    # Motion
+    def TemplatePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def WalkPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def BackPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def StrafePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def RunPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def CrouchPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def AirPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def SwimPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def StopWalkPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def StopRunPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def JumpHeightPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def CrouchedJumpHeightPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def JumpReachPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(56))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Motion
+    def RunJumpReachPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def MotionStart(builder):
-    builder.StartObject(14)
+    builder.StartObject(28)
 
 def MotionAddTemplate(builder, template):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(template), 0)
@@ -5329,6 +7861,48 @@ def MotionAddRunJumpReach(builder, runJumpReach):
 
 def MotionStartRunJumpReachVector(builder, numElems):
     return builder.StartVector(8, numElems, 8)
+
+def MotionAddTemplatePacked(builder, templatePacked):
+    builder.PrependUOffsetTRelativeSlot(14, flatbuffers.number_types.UOffsetTFlags.py_type(templatePacked), 0)
+
+def MotionAddWalkPacked(builder, walkPacked):
+    builder.PrependUOffsetTRelativeSlot(15, flatbuffers.number_types.UOffsetTFlags.py_type(walkPacked), 0)
+
+def MotionAddBackPacked(builder, backPacked):
+    builder.PrependUOffsetTRelativeSlot(16, flatbuffers.number_types.UOffsetTFlags.py_type(backPacked), 0)
+
+def MotionAddStrafePacked(builder, strafePacked):
+    builder.PrependUOffsetTRelativeSlot(17, flatbuffers.number_types.UOffsetTFlags.py_type(strafePacked), 0)
+
+def MotionAddRunPacked(builder, runPacked):
+    builder.PrependUOffsetTRelativeSlot(18, flatbuffers.number_types.UOffsetTFlags.py_type(runPacked), 0)
+
+def MotionAddCrouchPacked(builder, crouchPacked):
+    builder.PrependUOffsetTRelativeSlot(19, flatbuffers.number_types.UOffsetTFlags.py_type(crouchPacked), 0)
+
+def MotionAddAirPacked(builder, airPacked):
+    builder.PrependUOffsetTRelativeSlot(20, flatbuffers.number_types.UOffsetTFlags.py_type(airPacked), 0)
+
+def MotionAddSwimPacked(builder, swimPacked):
+    builder.PrependUOffsetTRelativeSlot(21, flatbuffers.number_types.UOffsetTFlags.py_type(swimPacked), 0)
+
+def MotionAddStopWalkPacked(builder, stopWalkPacked):
+    builder.PrependUOffsetTRelativeSlot(22, flatbuffers.number_types.UOffsetTFlags.py_type(stopWalkPacked), 0)
+
+def MotionAddStopRunPacked(builder, stopRunPacked):
+    builder.PrependUOffsetTRelativeSlot(23, flatbuffers.number_types.UOffsetTFlags.py_type(stopRunPacked), 0)
+
+def MotionAddJumpHeightPacked(builder, jumpHeightPacked):
+    builder.PrependUOffsetTRelativeSlot(24, flatbuffers.number_types.UOffsetTFlags.py_type(jumpHeightPacked), 0)
+
+def MotionAddCrouchedJumpHeightPacked(builder, crouchedJumpHeightPacked):
+    builder.PrependUOffsetTRelativeSlot(25, flatbuffers.number_types.UOffsetTFlags.py_type(crouchedJumpHeightPacked), 0)
+
+def MotionAddJumpReachPacked(builder, jumpReachPacked):
+    builder.PrependUOffsetTRelativeSlot(26, flatbuffers.number_types.UOffsetTFlags.py_type(jumpReachPacked), 0)
+
+def MotionAddRunJumpReachPacked(builder, runJumpReachPacked):
+    builder.PrependUOffsetTRelativeSlot(27, flatbuffers.number_types.UOffsetTFlags.py_type(runJumpReachPacked), 0)
 
 def MotionEnd(builder):
     return builder.EndObject()
@@ -5939,11 +8513,221 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
         return o == 0
 
+    # Ledges
+    def BodyMovesizePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def BodyHoverPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def BodyReattachPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def BodyStepPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def BodyJumpPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def BodyPhysicsFlagsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(56))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def BodyPlayerPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def BodyNameStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(60))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def BodyNamePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(62))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def BodyLedgeStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(64))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def SurfacePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(66))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def CornerPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(68))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def StartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(70))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def EndPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(72))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def KindPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def OtherKindPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(76))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def BelowPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(78))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def ThingPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(80))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def DropStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(82))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def DropEndPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(84))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def TraitsPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(86))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
     # For the edge of a thing: its source index, where it is (-1 as it is placed, else its frame) and the face of its
     # model at rest; -1 for a surface's.
     # Ledges
     def Carrier(self, j):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
         if o != 0:
             a = self._tab.Vector(o)
             return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
@@ -5951,26 +8735,26 @@ class Ledges(object):
 
     # Ledges
     def CarrierAsNumpy(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
         if o != 0:
             return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
         return 0
 
     # Ledges
     def CarrierLength(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
         if o != 0:
             return self._tab.VectorLen(o)
         return 0
 
     # Ledges
     def CarrierIsNone(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
         return o == 0
 
     # Ledges
     def CarrierFrame(self, j):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
         if o != 0:
             a = self._tab.Vector(o)
             return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
@@ -5978,26 +8762,26 @@ class Ledges(object):
 
     # Ledges
     def CarrierFrameAsNumpy(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
         if o != 0:
             return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
         return 0
 
     # Ledges
     def CarrierFrameLength(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
         if o != 0:
             return self._tab.VectorLen(o)
         return 0
 
     # Ledges
     def CarrierFrameIsNone(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
         return o == 0
 
     # Ledges
     def CarrierFace(self, j):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
         if o != 0:
             a = self._tab.Vector(o)
             return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
@@ -6005,27 +8789,27 @@ class Ledges(object):
 
     # Ledges
     def CarrierFaceAsNumpy(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
         if o != 0:
             return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
         return 0
 
     # Ledges
     def CarrierFaceLength(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
         if o != 0:
             return self._tab.VectorLen(o)
         return 0
 
     # Ledges
     def CarrierFaceIsNone(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
         return o == 0
 
     # Source index of the thing come onto, or that blocks, and the face of its model at rest; -1 for none.
     # Ledges
     def Onto(self, j):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
         if o != 0:
             a = self._tab.Vector(o)
             return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
@@ -6033,26 +8817,26 @@ class Ledges(object):
 
     # Ledges
     def OntoAsNumpy(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
         if o != 0:
             return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
         return 0
 
     # Ledges
     def OntoLength(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
         if o != 0:
             return self._tab.VectorLen(o)
         return 0
 
     # Ledges
     def OntoIsNone(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
         return o == 0
 
     # Ledges
     def OntoFace(self, j):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
         if o != 0:
             a = self._tab.Vector(o)
             return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
@@ -6060,25 +8844,75 @@ class Ledges(object):
 
     # Ledges
     def OntoFaceAsNumpy(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
         if o != 0:
             return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
         return 0
 
     # Ledges
     def OntoFaceLength(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
         if o != 0:
             return self._tab.VectorLen(o)
         return 0
 
     # Ledges
     def OntoFaceIsNone(self):
-        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
         return o == 0
 
+    # Ledges
+    def CarrierPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(98))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def CarrierFramePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(100))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def CarrierFacePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(102))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def OntoPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(104))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Ledges
+    def OntoFacePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(106))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def LedgesStart(builder):
-    builder.StartObject(26)
+    builder.StartObject(52)
 
 def LedgesAddBodyMovesize(builder, bodyMovesize):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(bodyMovesize), 0)
@@ -6206,35 +9040,113 @@ def LedgesAddTraits(builder, traits):
 def LedgesStartTraitsVector(builder, numElems):
     return builder.StartVector(1, numElems, 1)
 
+def LedgesAddBodyMovesizePacked(builder, bodyMovesizePacked):
+    builder.PrependUOffsetTRelativeSlot(21, flatbuffers.number_types.UOffsetTFlags.py_type(bodyMovesizePacked), 0)
+
+def LedgesAddBodyHoverPacked(builder, bodyHoverPacked):
+    builder.PrependUOffsetTRelativeSlot(22, flatbuffers.number_types.UOffsetTFlags.py_type(bodyHoverPacked), 0)
+
+def LedgesAddBodyReattachPacked(builder, bodyReattachPacked):
+    builder.PrependUOffsetTRelativeSlot(23, flatbuffers.number_types.UOffsetTFlags.py_type(bodyReattachPacked), 0)
+
+def LedgesAddBodyStepPacked(builder, bodyStepPacked):
+    builder.PrependUOffsetTRelativeSlot(24, flatbuffers.number_types.UOffsetTFlags.py_type(bodyStepPacked), 0)
+
+def LedgesAddBodyJumpPacked(builder, bodyJumpPacked):
+    builder.PrependUOffsetTRelativeSlot(25, flatbuffers.number_types.UOffsetTFlags.py_type(bodyJumpPacked), 0)
+
+def LedgesAddBodyPhysicsFlagsPacked(builder, bodyPhysicsFlagsPacked):
+    builder.PrependUOffsetTRelativeSlot(26, flatbuffers.number_types.UOffsetTFlags.py_type(bodyPhysicsFlagsPacked), 0)
+
+def LedgesAddBodyPlayerPacked(builder, bodyPlayerPacked):
+    builder.PrependUOffsetTRelativeSlot(27, flatbuffers.number_types.UOffsetTFlags.py_type(bodyPlayerPacked), 0)
+
+def LedgesAddBodyNameStartPacked(builder, bodyNameStartPacked):
+    builder.PrependUOffsetTRelativeSlot(28, flatbuffers.number_types.UOffsetTFlags.py_type(bodyNameStartPacked), 0)
+
+def LedgesAddBodyNamePacked(builder, bodyNamePacked):
+    builder.PrependUOffsetTRelativeSlot(29, flatbuffers.number_types.UOffsetTFlags.py_type(bodyNamePacked), 0)
+
+def LedgesAddBodyLedgeStartPacked(builder, bodyLedgeStartPacked):
+    builder.PrependUOffsetTRelativeSlot(30, flatbuffers.number_types.UOffsetTFlags.py_type(bodyLedgeStartPacked), 0)
+
+def LedgesAddSurfacePacked(builder, surfacePacked):
+    builder.PrependUOffsetTRelativeSlot(31, flatbuffers.number_types.UOffsetTFlags.py_type(surfacePacked), 0)
+
+def LedgesAddCornerPacked(builder, cornerPacked):
+    builder.PrependUOffsetTRelativeSlot(32, flatbuffers.number_types.UOffsetTFlags.py_type(cornerPacked), 0)
+
+def LedgesAddStartPacked(builder, startPacked):
+    builder.PrependUOffsetTRelativeSlot(33, flatbuffers.number_types.UOffsetTFlags.py_type(startPacked), 0)
+
+def LedgesAddEndPacked(builder, endPacked):
+    builder.PrependUOffsetTRelativeSlot(34, flatbuffers.number_types.UOffsetTFlags.py_type(endPacked), 0)
+
+def LedgesAddKindPacked(builder, kindPacked):
+    builder.PrependUOffsetTRelativeSlot(35, flatbuffers.number_types.UOffsetTFlags.py_type(kindPacked), 0)
+
+def LedgesAddOtherKindPacked(builder, otherKindPacked):
+    builder.PrependUOffsetTRelativeSlot(36, flatbuffers.number_types.UOffsetTFlags.py_type(otherKindPacked), 0)
+
+def LedgesAddBelowPacked(builder, belowPacked):
+    builder.PrependUOffsetTRelativeSlot(37, flatbuffers.number_types.UOffsetTFlags.py_type(belowPacked), 0)
+
+def LedgesAddThingPacked(builder, thingPacked):
+    builder.PrependUOffsetTRelativeSlot(38, flatbuffers.number_types.UOffsetTFlags.py_type(thingPacked), 0)
+
+def LedgesAddDropStartPacked(builder, dropStartPacked):
+    builder.PrependUOffsetTRelativeSlot(39, flatbuffers.number_types.UOffsetTFlags.py_type(dropStartPacked), 0)
+
+def LedgesAddDropEndPacked(builder, dropEndPacked):
+    builder.PrependUOffsetTRelativeSlot(40, flatbuffers.number_types.UOffsetTFlags.py_type(dropEndPacked), 0)
+
+def LedgesAddTraitsPacked(builder, traitsPacked):
+    builder.PrependUOffsetTRelativeSlot(41, flatbuffers.number_types.UOffsetTFlags.py_type(traitsPacked), 0)
+
 def LedgesAddCarrier(builder, carrier):
-    builder.PrependUOffsetTRelativeSlot(21, flatbuffers.number_types.UOffsetTFlags.py_type(carrier), 0)
+    builder.PrependUOffsetTRelativeSlot(42, flatbuffers.number_types.UOffsetTFlags.py_type(carrier), 0)
 
 def LedgesStartCarrierVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
 
 def LedgesAddCarrierFrame(builder, carrierFrame):
-    builder.PrependUOffsetTRelativeSlot(22, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFrame), 0)
+    builder.PrependUOffsetTRelativeSlot(43, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFrame), 0)
 
 def LedgesStartCarrierFrameVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
 
 def LedgesAddCarrierFace(builder, carrierFace):
-    builder.PrependUOffsetTRelativeSlot(23, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFace), 0)
+    builder.PrependUOffsetTRelativeSlot(44, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFace), 0)
 
 def LedgesStartCarrierFaceVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
 
 def LedgesAddOnto(builder, onto):
-    builder.PrependUOffsetTRelativeSlot(24, flatbuffers.number_types.UOffsetTFlags.py_type(onto), 0)
+    builder.PrependUOffsetTRelativeSlot(45, flatbuffers.number_types.UOffsetTFlags.py_type(onto), 0)
 
 def LedgesStartOntoVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
 
 def LedgesAddOntoFace(builder, ontoFace):
-    builder.PrependUOffsetTRelativeSlot(25, flatbuffers.number_types.UOffsetTFlags.py_type(ontoFace), 0)
+    builder.PrependUOffsetTRelativeSlot(46, flatbuffers.number_types.UOffsetTFlags.py_type(ontoFace), 0)
 
 def LedgesStartOntoFaceVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
+
+def LedgesAddCarrierPacked(builder, carrierPacked):
+    builder.PrependUOffsetTRelativeSlot(47, flatbuffers.number_types.UOffsetTFlags.py_type(carrierPacked), 0)
+
+def LedgesAddCarrierFramePacked(builder, carrierFramePacked):
+    builder.PrependUOffsetTRelativeSlot(48, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFramePacked), 0)
+
+def LedgesAddCarrierFacePacked(builder, carrierFacePacked):
+    builder.PrependUOffsetTRelativeSlot(49, flatbuffers.number_types.UOffsetTFlags.py_type(carrierFacePacked), 0)
+
+def LedgesAddOntoPacked(builder, ontoPacked):
+    builder.PrependUOffsetTRelativeSlot(50, flatbuffers.number_types.UOffsetTFlags.py_type(ontoPacked), 0)
+
+def LedgesAddOntoFacePacked(builder, ontoFacePacked):
+    builder.PrependUOffsetTRelativeSlot(51, flatbuffers.number_types.UOffsetTFlags.py_type(ontoFacePacked), 0)
 
 def LedgesEnd(builder):
     return builder.EndObject()
@@ -6456,8 +9368,78 @@ class Basins(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
+    # Basins
+    def BodyPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Basins
+    def SurfaceStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Basins
+    def SurfacePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Basins
+    def ShallowestPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Basins
+    def DeepestPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Basins
+    def EnteredPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # Basins
+    def LeftPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def BasinsStart(builder):
-    builder.StartObject(7)
+    builder.StartObject(14)
 
 def BasinsAddBody(builder, body):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(body), 0)
@@ -6500,6 +9482,27 @@ def BasinsAddLeft(builder, left):
 
 def BasinsStartLeftVector(builder, numElems):
     return builder.StartVector(1, numElems, 1)
+
+def BasinsAddBodyPacked(builder, bodyPacked):
+    builder.PrependUOffsetTRelativeSlot(7, flatbuffers.number_types.UOffsetTFlags.py_type(bodyPacked), 0)
+
+def BasinsAddSurfaceStartPacked(builder, surfaceStartPacked):
+    builder.PrependUOffsetTRelativeSlot(8, flatbuffers.number_types.UOffsetTFlags.py_type(surfaceStartPacked), 0)
+
+def BasinsAddSurfacePacked(builder, surfacePacked):
+    builder.PrependUOffsetTRelativeSlot(9, flatbuffers.number_types.UOffsetTFlags.py_type(surfacePacked), 0)
+
+def BasinsAddShallowestPacked(builder, shallowestPacked):
+    builder.PrependUOffsetTRelativeSlot(10, flatbuffers.number_types.UOffsetTFlags.py_type(shallowestPacked), 0)
+
+def BasinsAddDeepestPacked(builder, deepestPacked):
+    builder.PrependUOffsetTRelativeSlot(11, flatbuffers.number_types.UOffsetTFlags.py_type(deepestPacked), 0)
+
+def BasinsAddEnteredPacked(builder, enteredPacked):
+    builder.PrependUOffsetTRelativeSlot(12, flatbuffers.number_types.UOffsetTFlags.py_type(enteredPacked), 0)
+
+def BasinsAddLeftPacked(builder, leftPacked):
+    builder.PrependUOffsetTRelativeSlot(13, flatbuffers.number_types.UOffsetTFlags.py_type(leftPacked), 0)
 
 def BasinsEnd(builder):
     return builder.EndObject()
@@ -6821,8 +9824,74 @@ class Level(object):
             return obj
         return None
 
+    # Every text of the level, each once: UTF-8, each with a zero byte behind it. Never packed.
+    # Level
+    def Text(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint8Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 1))
+        return 0
+
+    # Level
+    def TextAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint8Flags, o)
+        return 0
+
+    # Level
+    def TextLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Level
+    def TextIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
+        return o == 0
+
+    # Cuts `text`; what counts strings counts its parts.
+    # Level
+    def TextStart(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Level
+    def TextStartAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Level
+    def TextStartLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Level
+    def TextStartIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
+        return o == 0
+
+    # Level
+    def TextStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def LevelStart(builder):
-    builder.StartObject(23)
+    builder.StartObject(26)
 
 def LevelAddFormatMajor(builder, formatMajor):
     builder.PrependUint16Slot(0, formatMajor, 0)
@@ -6907,6 +9976,21 @@ def LevelAddLedges(builder, ledges):
 
 def LevelAddBasins(builder, basins):
     builder.PrependUOffsetTRelativeSlot(22, flatbuffers.number_types.UOffsetTFlags.py_type(basins), 0)
+
+def LevelAddText(builder, text):
+    builder.PrependUOffsetTRelativeSlot(23, flatbuffers.number_types.UOffsetTFlags.py_type(text), 0)
+
+def LevelStartTextVector(builder, numElems):
+    return builder.StartVector(1, numElems, 1)
+
+def LevelAddTextStart(builder, textStart):
+    builder.PrependUOffsetTRelativeSlot(24, flatbuffers.number_types.UOffsetTFlags.py_type(textStart), 0)
+
+def LevelStartTextStartVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def LevelAddTextStartPacked(builder, textStartPacked):
+    builder.PrependUOffsetTRelativeSlot(25, flatbuffers.number_types.UOffsetTFlags.py_type(textStartPacked), 0)
 
 def LevelEnd(builder):
     return builder.EndObject()

@@ -3,47 +3,122 @@
 from __future__ import annotations
 
 import mmap
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
 from functools import cached_property
+from itertools import islice, pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from jktools._native_file import verify_level  # noqa: TID251 (this package is the door)
+from jktools._native_file import level_fault, level_parts  # noqa: TID251 (this package is the door)
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import is_intact
-from jktools.compiler.columns import SECTIONS, Column, camel_case
+from jktools.compiler.columns import OMISSION, SECTIONS, STRINGS, TEXT, Column, camel_case
 from jktools.compiler.errors import CompiledFileError
-from jktools.compiler.ranges import first_fault
-from jktools.geometry import expanded, unpacked
+from jktools.compiler.packing import INDICES, VECTORS, Stored, absent
+from jktools.compiler.queries import Basin, Ledge, basins_of, ledges_at, plan_of
+from jktools.compiler.slots import wanted
+from jktools.geometry import SectorMesh, expanded, unpacked
 
-FORMAT_MAJOR, FORMAT_MINOR = 1, 1
+FORMAT_MAJOR, FORMAT_MINOR = 1, 2
 """Version of the format that this code writes; it reads every file of the same major version."""
 
 IDENTIFIER = b"JKLB"
-_SMALLEST = 8
+ALIGNMENT = 8
+"""Bytes; a buffer and every vector in it start at a multiple."""
+
+NO_SECTION, PLAIN, FIRST_VECTOR = -2, 0, 2
+"""Forms of a column as `level_parts` tells them."""
+_DTYPES = {kind: np.dtype(f"<{kind}") for kind in ("u1", "i4", "u4", "f4", "f8")}
+_OF_VECTORS = [np.dtype(f"<{kind}") for kind in VECTORS.values()]
+_INDICES = {1: np.dtype("u1"), 2: np.dtype("<u2")}
+
+TEXT_SINCE = 2
+"""Minor version that brought the strings as one vector."""
+
+WORLD = (
+    "version", "gravity", "ceiling_sky_z", "horizon_distance", "horizon_pixels_per_rev", "horizon_sky_offset",
+    "ceiling_sky_offset", "mipmap_distances", "lod_distances", "perspective_distance", "gouraud_distance",
+)  # fmt: skip
+"""Fields of the table World."""
 
 ALWAYS = ("resources", "geometry")
 """Sections that every level has."""
 
 
 class Section:
-    """The columns of one section by name: `(n,)` or `(n, width)` views, read-only."""
+    """The columns of one section by name: `(n,)` or `(n, width)`, read-only, of the schema's type.
 
-    def __init__(self, columns: Mapping[str, npt.NDArray[Any]]) -> None:
-        """Hold these columns."""
-        self.columns = columns
+    A column that the file holds in that type is a view of it; one in a smaller form is made when first asked for and
+    kept. `stored` gives the parts as they lie in the file, all of them views.
+    """
+
+    def __init__(self, data: memoryview, parts: Mapping[str, tuple[list[int], float]], columns: Mapping[str, Column]):
+        """Hold these columns; `parts` has a row of `level_parts` and the step of each."""
+        self._data = data
+        self._parts = parts
+        self._declared = columns
+        self._made: dict[str, npt.NDArray[Any]] = {}
+
+    @cached_property
+    def stored(self) -> Mapping[str, Stored]:
+        """The columns as they lie in the file; of one that does not, what that stands for."""
+        declared = self._declared
+        found = {name: _part(self._data, row, step, declared[name]) for name, (row, step) in self._parts.items()}
+        absences = [name for name, stored in found.items() if stored is None]
+        for name in absences:
+            leader = found.get(declared[name].rows_of or "")
+            found[name] = absent(declared[name], 0 if leader is None else len(leader))
+        return found  # type: ignore[return-value]  # none is absent now
 
     def __getattr__(self, name: str) -> npt.NDArray[Any]:
-        try:
-            return self.columns[name]
-        except KeyError:
-            raise AttributeError(name) from None
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name not in self._made:
+            if name in self.stored:
+                self._made[name] = self.stored[name].array(self._declared[name])
+            elif name in LISTED and "value_list" in self.stored:
+                self._made |= _listed(self)
+            else:
+                raise AttributeError(name)
+        return self._made[name]
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self.columns]
+        return [*super().__dir__(), *self.stored]
+
+    @property
+    def texts(self) -> frozenset[str]:
+        """The columns that count strings."""
+        return frozenset(name for name in self.stored if self._declared[name].index_of == STRINGS)
+
+    @property
+    def columns(self) -> dict[str, npt.NDArray[Any]]:
+        """Every column."""
+        return {name: getattr(self, name) for name in self.stored}
+
+    @property
+    def nbytes(self) -> int:
+        """What its vectors take in the file; one that several columns share counts once."""
+        parts = {part.__array_interface__["data"]: part.nbytes for s in self.stored.values() for part in s.vectors}
+        return sum(parts.values())
+
+
+LISTED = ("number_start", "number")
+"""The numbers of each value of a template one after the other: what 1.1 has in the file, and later files as lists."""
+
+
+def _listed(templates: Section) -> dict[str, npt.NDArray[Any]]:
+    first = templates.list_start[templates.value_list].astype(np.int64)
+    counts = templates.list_start[templates.value_list + 1].astype(np.int64) - first
+    start = np.concatenate([[0], np.cumsum(counts)])
+    places = np.arange(start[-1]) + np.repeat(first - start[:-1], counts)
+    made = {"number_start": start.astype("<u4"), "number": templates.list_number[places]}
+    for values in made.values():
+        values.flags.writeable = False
+    return made
 
 
 class CompiledLevel:
@@ -72,45 +147,47 @@ class CompiledLevel:
     def __init__(self, data: bytes | memoryview, path: str = "<bytes>", *, verify: bool = False) -> None:
         """Check and view a buffer. Raises CompiledFileError; `verify` compares the checksum too."""
         self.path = path
-        self.data = memoryview(data)
-        self._root = self._checked_root(verify)
-        arrays = {name: self._columns(name) for name in SECTIONS if self._table(name) is not None}
-        missing = next((name for name in ALWAYS if name not in arrays), None)
-        fault = f"has no {missing}" if missing else first_fault(arrays, self._root.StringsLength())
-        if fault:
-            raise CompiledFileError(f"cannot read {path}: the file is damaged") from ValueError(fault)
-        self.sections: Mapping[str, Section] = {name: Section(columns) for name, columns in arrays.items()}
-        for name in SECTIONS:
-            setattr(self, name, self.sections.get(name))
-
-    def _checked_root(self, verify: bool) -> Any:
+        self.data = memoryview(data).toreadonly()
         octets = np.frombuffer(self.data, np.uint8)
-        if len(octets) < _SMALLEST or bytes(self.data[4:8]) != IDENTIFIER:
-            raise CompiledFileError(f"cannot read {self.path}: not a compiled level (no {IDENTIFIER.decode()} mark)")
-        if not verify_level(octets):
-            raise CompiledFileError(f"cannot read {self.path}: the file is cut off or damaged; build it again")
-        root = fb.Level.GetRootAs(self.data)  # type: ignore[no-untyped-call]
-        if root.FormatMajor() != FORMAT_MAJOR:
-            raise CompiledFileError(
-                f"cannot read {self.path}: format version {root.FormatMajor()}.{root.FormatMinor()}, but this jktools "
-                f"reads {FORMAT_MAJOR}.x; build it again or use another version"
-            )
+        if octets.__array_interface__["data"][0] % ALIGNMENT:
+            self.data = memoryview(bytes(self.data))
+            octets = np.frombuffer(self.data, np.uint8)
+        self._refuse(level_fault(octets))
+        self._root = fb.Level.GetRootAs(self.data)  # type: ignore[no-untyped-call]
         if verify and not is_intact(self.data):
             raise CompiledFileError(f"cannot read {self.path}: the checksum does not match; build it again")
-        return root
+        parts, steps = level_parts(octets, wanted())
+        rows = zip(parts.reshape(len(steps), -1).tolist(), steps.tolist(), strict=True)
+        self._texts = self._section(TEXT, rows)
+        found = {name: self._section(columns, rows) for name, columns in SECTIONS.items()}
+        self.sections: Mapping[str, Section] = {name: each for name, each in found.items() if each is not None}
+        self.__dict__.update(found)
+
+    def _refuse(self, fault: str) -> None:
+        """Raise CompiledFileError for a fault; its cause is what is wrong inside a file that is damaged."""
+        if fault:
+            inside = re.search(r"\((.*)\)$", fault)
+            told = f"cannot read {self.path}: {fault.replace('this reader', 'this jktools')}"
+            raise CompiledFileError(told) from (ValueError(inside[1]) if inside else None)
+
+    def _section(self, columns: Mapping[str, Column], rows: Iterator[tuple[list[int], float]]) -> Section | None:
+        """The section of these columns, None where it is absent; takes as many rows."""
+        minor = self._root.FormatMinor()
+        own = list(islice(rows, len(columns)))
+        if own[0][0][0] == NO_SECTION:
+            return None
+        parts = {
+            name: row
+            for (name, column), row in zip(columns.items(), own, strict=True)
+            if column.since <= minor and (column.until is None or minor <= column.until)
+        }
+        return Section(self.data, parts, columns)
 
     def __getattr__(self, name: str) -> npt.NDArray[Any]:
         if name in SECTIONS["geometry"] and "sections" in self.__dict__:
-            return self.sections["geometry"].columns[name]
+            found: npt.NDArray[Any] = getattr(self.sections["geometry"], name)
+            return found
         raise AttributeError(name)
-
-    def _table(self, section: str) -> Any:
-        return getattr(self._root, camel_case(section))()
-
-    def _columns(self, section: str) -> dict[str, npt.NDArray[Any]]:
-        table = self._table(section)
-        minor = self._root.FormatMinor()
-        return {name: _view(table, name, column) for name, column in SECTIONS[section].items() if column.since <= minor}
 
     def _text(self, data: bytes) -> str:
         try:
@@ -118,10 +195,19 @@ class CompiledLevel:
         except UnicodeDecodeError as error:
             raise CompiledFileError(f"cannot read {self.path}: the file is damaged; build it again") from error
 
+    @property
+    def _has_strings(self) -> bool:
+        """Whether the strings are a vector each, as up to 1.1."""
+        return bool(self._root.FormatMinor() < TEXT_SINCE)
+
     @cached_property
     def strings(self) -> tuple[str, ...]:
         """Every text of the level."""
-        return tuple(self._text(self._root.Strings(i)) for i in range(self._root.StringsLength()))
+        if self._has_strings:
+            return tuple(self._text(self._root.Strings(i)) for i in range(self._root.StringsLength()))
+        assert self._texts is not None
+        octets, start = self._texts.text.tobytes(), self._texts.text_start.tolist()
+        return tuple(self._text(octets[a : b - 1]) for a, b in pairwise(start))
 
     @cached_property
     def visible_sectors(self) -> npt.NDArray[np.bool_] | None:
@@ -140,6 +226,56 @@ class CompiledLevel:
         except ValueError as error:
             raise CompiledFileError(f"cannot read {self.path}: the file is damaged; build it again") from error
         return unpacked(matrix)
+
+    @cached_property
+    def mesh(self) -> SectorMesh:
+        """The sectors as a mesh over the file's own vertices: sight, drop and location, without the level's source.
+
+        At `balanced` and `exact` the file holds the vertices as read, and its mesh answers as the level's own does; a
+        file of `fast` answers about vertices on its grid.
+        """
+        return SectorMesh.from_plan(plan_of(self.geometry))
+
+    def ledges_at(self, body: int, surface: int, corner: int, place: float | None = None) -> list[Ledge]:
+        """What a body meets beyond the edge that goes from a corner of a floor to the next one, along the edge.
+
+        With `place`, 0 .. 1 along the edge, the first that holds it. An edge, or a part of one, without a ledge goes
+        on level. Raises IndexError for a body that the file does not have.
+        """
+        if self.ledges is None:
+            raise IndexError(f"body {body} does not exist: there are 0")
+        found = list(ledges_at(self.ledges, body, surface, corner))
+        return found if place is None else [each for each in found if each.start <= place <= each.end][:1]
+
+    def basins_of(self, body: int) -> list[Basin]:
+        """Where a body can fall in and every way out goes up; none for a body that the file does not have."""
+        return [] if self.basins is None else list(basins_of(self.basins, body))
+
+    @property
+    def vertex_step(self) -> float:
+        """Of the grid that the vertices are on, JKU; 0 where they are float32 as read."""
+        return self.geometry.stored["vertices"].step
+
+    @property
+    def text_bytes(self) -> int:
+        """What the strings take in the file."""
+        if self._has_strings:
+            return sum(len(self._root.Strings(i)) + 9 for i in range(self._root.StringsLength()))
+        assert self._texts is not None
+        return self._texts.nbytes
+
+    @property
+    def world(self) -> dict[str, Any]:
+        """The header lines of the level, by their names in the schema."""
+        world = self._root.World()
+        if world is None:
+            return {}
+        found: dict[str, Any] = {}
+        for name in WORLD:
+            vector = getattr(world, f"{camel_case(name)}AsNumpy", None)
+            value = getattr(world, camel_case(name))() if vector is None else vector()
+            found[name] = [] if vector is not None and isinstance(value, int) else value
+        return {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in found.items()}
 
     @property
     def format(self) -> str:
@@ -173,6 +309,23 @@ class CompiledLevel:
         }
 
     @property
+    def cut_anyway(self) -> bool:
+        """Whether it leaves out templates and names that nothing is known to reach."""
+        return bool(self._root.Settings().CutAnyway())
+
+    @property
+    def only(self) -> list[str]:
+        """The passes that alone were asked for; none for all, and for files before 1.2, which do not tell."""
+        settings = self._root.Settings()
+        return [self._text(settings.Only(i)) for i in range(settings.OnlyLength())]
+
+    @property
+    def skip(self) -> list[str]:
+        """The passes that were not to run; none for files before 1.2, which do not tell."""
+        settings = self._root.Settings()
+        return [self._text(settings.Skip(i)) for i in range(settings.SkipLength())]
+
+    @property
     def counts(self) -> dict[str, int]:
         """How many of each kind of object it holds."""
         counted = {
@@ -194,23 +347,23 @@ class CompiledLevel:
             "basins": ("basins", "body"),
         }
         return {
-            kind: len(self.sections[section].columns[column]) if section in self.sections else 0
+            kind: len(self.sections[section].stored[column]) if section in self.sections else 0
             for kind, (section, column) in counted.items()
         }
 
     @property
     def omissions(self) -> list[dict[str, Any]]:
         """What was left out: section, reason, and for each record its position and name."""
-        entries = [self._root.Omissions(i) for i in range(self._root.OmissionsLength())]
-        return [
-            {
-                "section": self._text(e.Section()),
-                "reason": self._text(e.Reason()),
-                "source": [int(e.Source(i)) for i in range(e.SourceLength())],
-                "name": [self._text(e.Name(i)) for i in range(e.NameLength())],
-            }
-            for e in entries
-        ]
+        return [self._omission(self._root.Omissions(i)) for i in range(self._root.OmissionsLength())]
+
+    def _omission(self, entry: Any) -> dict[str, Any]:
+        told = {"section": self._text(entry.Section()), "reason": self._text(entry.Reason())}
+        if self._has_strings:
+            names = [self._text(entry.Name(i)) for i in range(entry.NameLength())]
+            return {**told, "source": [int(entry.Source(i)) for i in range(entry.SourceLength())], "name": names}
+        source = _of_table(entry, "source", OMISSION["source"])
+        texts = _of_table(entry, "name_text", OMISSION["name_text"])
+        return {**told, "source": source.tolist(), "name": [self.strings[i] for i in texts.tolist()]}
 
     @property
     def passes(self) -> dict[str, dict[str, Any]]:
@@ -222,14 +375,37 @@ class CompiledLevel:
         }
 
 
-def _view(table: Any, name: str, column: Column) -> npt.NDArray[Any]:
-    values = getattr(table, f"{camel_case(name)}AsNumpy")()
-    if isinstance(values, int):  # the generated code answers 0 for a vector that is absent
-        values = np.zeros(0, f"<{column.type}")
-    values.flags.writeable = False
-    if column.width == 1:
-        return np.asarray(values)
-    return np.asarray(values[: len(values) // column.width * column.width].reshape(-1, column.width))
+def _part(data: memoryview, row: list[int], step: float, column: Column) -> Stored | None:
+    """A column as it lies in the file, by a row of `level_parts`; None where it is absent."""
+    form, place, length, index_size, index_place, index_length, count, first, origin_place, origin_length = row
+    if form < PLAIN:
+        return None
+    width = column.width
+    shape = length if width == 1 else (length // width, width)
+    if form == PLAIN:
+        return Stored(np.ndarray(shape, _DTYPES[column.type], data, place))
+    values = None if form < FIRST_VECTOR else np.ndarray(shape, _OF_VECTORS[form - FIRST_VECTOR], data, place)
+    index = np.ndarray(index_length, _INDICES[index_size], data, index_place) if index_size else None
+    origin = tuple(np.ndarray(origin_length, _DTYPES["i4"], data, origin_place).tolist()) if origin_length else ()
+    return Stored(values, index, count, first, step, origin)
+
+
+def _of_table(table: Any, name: str, column: Column) -> npt.NDArray[Any]:
+    """A column of a table that is no section."""
+    field = camel_case(name)
+    if not getattr(table, f"{field}IsNone")():
+        return Stored(getattr(table, f"{field}AsNumpy")()).array(column)
+    packed = getattr(table, f"{field}Packed")()
+    if packed is None:
+        return absent(column, 0).array(column)
+    values, index = (
+        next(
+            (getattr(packed, f"{v}AsNumpy")() for v in map(camel_case, names) if not getattr(packed, f"{v}IsNone")()),
+            None,
+        )
+        for names in (VECTORS, INDICES)
+    )
+    return Stored(values, index, packed.Count(), packed.First()).array(column)
 
 
 def open_compiled(path: str | Path, verify: bool = False) -> CompiledLevel:

@@ -12,15 +12,17 @@ from jktools.facts import LevelFacts
 from jktools.facts.colour_effects import constant_effects, palettes, shown
 from jktools.facts.hotspots import Runner, Verdict
 from jktools.facts.lights import still_lights
-from jktools.facts.motion import bodies, gravity_of, motions
+from jktools.facts.motion import Interval, bodies, gravity_of, motions
 from jktools.facts.particles import clouds
 
 VERDICTS = (Verdict.NEVER, Verdict.ALWAYS, Verdict.VARIES)
 """In the order of the schema."""
 UNKNOWN = -1
+STOPS = ("stop_walk", "stop_run")
+"""Columns of both ends of an interval; of a jump the file holds the least."""
 
 
-def hotspots(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+def hotspots(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Columns | NotNeeded:
     """What tests of sight cost."""
     spots = facts.hotspots
     if not spots:
@@ -31,14 +33,14 @@ def hotspots(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns
         "verb": strings.indices(spot.site.verb.name for spot in spots),
         "line": np.array([spot.runner.script.span(spot.site.call).first.line for spot in spots]),
         "things": np.array([len(spot.runner.things) for spot in spots]),
-        "more": np.array([spot.runner.more for spot in spots]),
+        "more": np.array([spot.more for spot in spots]),
         "calls_per_second": np.array([spot.calls_per_second for spot in spots]),
         "mean_sectors": np.array([spot.cost.mean_sectors for spot in spots]),
         "mean_surfaces": np.array([spot.cost.mean_surfaces for spot in spots]),
         "most_sectors": np.array([spot.cost.most_sectors for spot in spots]),
         "most_surfaces": np.array([spot.cost.most_surfaces for spot in spots]),
         "pairs": np.array([spot.cost.pairs for spot in spots]),
-        "verdict": np.array([VERDICTS.index(spot.verdict) for spot in spots]),
+        "verdict": np.array([VERDICTS.index(spot.verdicts[Engine(settings.engine)]) for spot in spots]),
     }
 
 
@@ -68,14 +70,15 @@ def particles(facts: LevelFacts, strings: Strings, settings: CompileSettings) ->
         "template": np.array([cloud.template.owner.index for cloud in found]),
         "material": np.array([_text(strings, cloud.material) for cloud in found]),
         "cels": np.array([cloud.particles.cels if cloud.knows_cels else UNKNOWN for cloud in found]),
-        "spawned": np.array([cloud.particles.spawned for cloud in found]),
+        "spawned": np.array([cloud.particles.spawned if cloud.known else UNKNOWN for cloud in found]),
         "timer_ms": np.array([cloud.particles.timer_ms for cloud in found]),
         "flags": np.array([cloud.particles.typeflags & 0xFFFFFFFF for cloud in found]),
         "lost_a_step": np.array([cloud.particles.lost_a_step for cloud in found]),
-        "light_mode": np.array([cloud.particles.light_mode for cloud in found]),
+        "light_mode": np.array([cloud.particles.light_mode if cloud.file is None else UNKNOWN for cloud in found]),
+        "elementsize": np.array([cloud.particles.elementsize if cloud.known else np.nan for cloud in found]),
         **{
             key: np.array([getattr(cloud.particles, key) for cloud in found], np.float64)
-            for key in ("range", "minsize", "maxthrust", "elementsize", "pitchrange", "yawrange")
+            for key in ("range", "minsize", "maxthrust", "pitchrange", "yawrange")
         },
     }
 
@@ -109,7 +112,10 @@ def motion(facts: LevelFacts, _: Strings, settings: CompileSettings) -> Columns 
     )  # fmt: skip
     columns = {"template": np.array([each.template.owner.index for each in found])}
     for key in found[0]._fields[1:]:
-        columns[key] = np.array([getattr(each, key) for each in found], np.float64)
+        values = [getattr(each, key) for each in found]
+        if isinstance(values[0], Interval) and key not in STOPS:
+            values = [value.least for value in values]
+        columns[key] = np.array(values, np.float64)
     return columns
 
 

@@ -11,6 +11,8 @@ import numpy.typing as npt
 
 from jktools.compiler.columns import RESOURCES
 from jktools.compiler.cut import Omission, choose, choose_names
+from jktools.compiler.grid import counted, grid_of
+from jktools.compiler.packing import Stored
 from jktools.compiler.settings import CompileSettings
 from jktools.facts import LevelFacts
 from jktools.geometry import compressed
@@ -20,7 +22,8 @@ from jktools.syntax.jkl import Parameters
 from jktools.syntax.template.parameters import MOVES, PARAMETERS, TYPES
 from jktools.syntax.template.values import ValueKind
 
-Columns = Mapping[str, npt.NDArray[Any]]
+Columns = Mapping[str, npt.NDArray[Any] | Stored]
+"""Columns by name; what is stored is written so, the rest in its smallest form."""
 Rows = npt.NDArray[np.intp]
 
 
@@ -43,8 +46,10 @@ class Cut:
 class Strings:
     """Every text of the level once, in order of first use."""
 
-    def __init__(self) -> None:
+    def __init__(self, first: Iterable[str] = ()) -> None:
+        """Hold these, which the most columns name, before all others: small numbers take fewer bytes."""
         self._index: dict[str, int] = {}
+        self.indices(first)
 
     @property
     def texts(self) -> Sequence[str]:
@@ -56,6 +61,13 @@ class Strings:
         return np.array([self._index.setdefault(text, len(self._index)) for text in texts], np.uint32)
 
 
+def parameter_keys(level: Level) -> Iterable[str]:
+    """The parameters that some template or thing of the level sets, in the order of docs/parameters.md."""
+    document = level.document
+    used = {key.lower() for each in (document.templates, document.things) for key in each.parameters.keys}
+    return (key for key in PARAMETERS if key in used)
+
+
 def resources(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Cut:
     """The plain lists, without the names that nothing reaches."""
     chosen = choose_names(facts, cut_anyway=settings.cut_anyway)
@@ -63,9 +75,13 @@ def resources(facts: LevelFacts, strings: Strings, settings: CompileSettings) ->
     return Cut(columns, chosen.note, chosen.omissions)
 
 
-def geometry(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns:
-    """Vertices, adjoins, surfaces and sectors as written, with the references between them."""
-    level = facts.level
+def geometry(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Columns:
+    """Vertices, adjoins, surfaces and sectors, with the references between them; at `fast`, on grids."""
+    columns = _geometry(facts.level, strings)
+    return {**columns, **counted(columns, grid_of(facts.level))} if settings.accuracy == "fast" else columns
+
+
+def _geometry(level: Level, strings: Strings) -> dict[str, npt.NDArray[Any]]:
     adjoins, surfaces, sectors = level.document.adjoins, level.document.surfaces, level.document.sectors
     sounds = iter(strings.indices(sound for sound in sectors.sound if sound is not None))
     return {
@@ -120,7 +136,6 @@ def templates(facts: LevelFacts, strings: Strings, settings: CompileSettings) ->
         "source": kept,
         "name": strings.indices(table.names[i] for i in kept),
         "parent": strings.indices(table.parents[i] for i in kept),
-        **_parameters(table.parameters, kept, strings),
         **_resolved(level, [level.resolved_templates[i] for i in kept.tolist()], strings),
     }
     return Cut(columns, chosen.note, chosen.omissions)
@@ -129,8 +144,12 @@ def templates(facts: LevelFacts, strings: Strings, settings: CompileSettings) ->
 def _resolved(level: Level, held: Sequence[Resolved], strings: Strings) -> Columns:
     settings = [[(key, each.values[key]) for key in PARAMETERS if key in each.values] for each in held]
     flat = [item for each in settings for item in each]
-    numbers = [_numbers(setting.value) for _, setting in flat]
     owners = [setting.origins[0].owner for _, setting in flat]
+    numbers = [np.array(_numbers(setting.value), np.float64) for _, setting in flat]
+    # By their bytes, which tell 0 from -0.
+    lists = {each.tobytes(): each for each in numbers}
+    places = {key: place for place, key in enumerate(lists)}
+    unused = [_unused(each) for each in held]
     return {
         "type": np.array([TYPES.index(each.type) for each in held]),
         "move": np.array([MOVES.index(each.move) for each in held]),
@@ -139,9 +158,25 @@ def _resolved(level: Level, held: Sequence[Resolved], strings: Strings) -> Colum
         "value_key": strings.indices(key for key, _ in flat),
         "value_text": np.array([_name(setting, strings) for _, setting in flat]),
         "value_source": np.array([owner.index if owner.level is level else -1 for owner in owners]),
-        "number_start": _starts([len(each) for each in numbers]),
-        "number": np.array([number for each in numbers for number in each], np.float64),
+        "value_list": np.array([places[each.tobytes()] for each in numbers], np.uint32),
+        "list_start": _starts([len(each) for each in lists.values()]),
+        "list_number": np.concatenate([np.zeros(0), *lists.values()]),
+        "unused_start": _starts([len(each) for each in unused]),
+        "unused_key": strings.indices(key for each in unused for key, _ in each),
+        "unused_value": strings.indices(value for each in unused for _, value in each),
     }
+
+
+def _unused(held: Resolved) -> list[tuple[str, str]]:
+    """The parameters of a line that no known value comes of."""
+    told = {
+        origin.place
+        for setting in held.values.values()
+        if setting.value is not None
+        for origin in setting.origins
+        if origin.owner is held.owner
+    }
+    return [word for place, word in enumerate(held.owner.parameters) if place not in told]
 
 
 def _starts(counts: Sequence[int]) -> npt.NDArray[np.int64]:

@@ -13,19 +13,18 @@ import numpy as np
 from jktools import __version__
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import seal
-from jktools.compiler.columns import SECTIONS, camel_case
+from jktools.compiler.columns import OMISSION, SECTIONS, TEXT, Column, camel_case
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
+from jktools.compiler.grid import grid_of, on_grid
+from jktools.compiler.packing import VECTORS, Stored, pack, pack_group
 from jktools.compiler.passes import Outcome, Progress, run
-from jktools.compiler.reader import FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
-from jktools.compiler.sections import Columns, Strings
+from jktools.compiler.reader import ALIGNMENT, FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
+from jktools.compiler.sections import Columns, Strings, parameter_keys
 from jktools.compiler.settings import CompileSettings
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.model import Level
-
-ALIGNMENT = 8
-"""Bytes; every vector starts at a multiple, so that a mapped file can be viewed as arrays of any scalar."""
 
 FIRST_GUESS = 1 << 20
 """Bytes that the builder starts with; it grows by doubling."""
@@ -38,11 +37,17 @@ class Compilation:
     data: bytes
     failures: tuple[str, ...]
     """Bugs in jktools: a sentence for each pass that failed, whose section is absent."""
+    step: float = 0.0
+    """Of the grid that the vertices are on, JKU; 0 where they are as read."""
 
 
 def compile_level(level: Level, settings: CompileSettings | None = None) -> bytes:
     """Compile a level as `compilation` does, and give the file's bytes alone."""
     return compilation(level, settings).data
+
+
+WRITING = "write"
+"""What comes behind the passes: the file is put together and checked."""
 
 
 def compilation(
@@ -51,15 +56,20 @@ def compilation(
     facts: LevelFacts | None = None,
     progress: Progress = lambda _: None,
 ) -> Compilation:
-    """Compile a level.
+    """Compile a level. `progress` is told the name of each pass before it runs, and `WRITING` behind the last.
 
     Raises CompileError when the engine would refuse it or read beyond its lists, PassError when a pass fails and the
     settings do not say to keep going.
     """
     settings = settings or CompileSettings()
     _refuse_broken(level)
-    strings = Strings()
-    outcomes = run(facts or LevelFacts(level), strings, settings, progress)
+    facts = facts or LevelFacts(level)
+    if settings.accuracy == "fast":
+        level = on_grid(level)
+        facts = LevelFacts(level, facts.vocabulary)
+    strings = Strings(parameter_keys(level))
+    outcomes = run(facts, strings, settings, progress)
+    progress(WRITING)
     data = _assemble(level, settings, strings, outcomes)
     try:
         CompiledLevel(data, level.path)
@@ -67,7 +77,8 @@ def compilation(
         raise CompileError(
             f"cannot compile {level.path}: {error.__cause__ or error}; `jktools lint` tells where"
         ) from error
-    return Compilation(data, tuple(o.note for o in outcomes.values() if o.failed))
+    grid = grid_of(level)
+    return Compilation(data, tuple(o.note for o in outcomes.values() if o.failed), grid.step if grid else 0.0)
 
 
 def _refuse_broken(level: Level) -> None:
@@ -85,42 +96,90 @@ def _refuse_broken(level: Level) -> None:
 
 
 def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcomes: Mapping[str, Outcome]) -> bytes:
-    builder = flatbuffers.Builder(FIRST_GUESS)
+    file = _File()
+    builder = file.builder
     offsets: dict[str, int] = {}
     for name, outcome in outcomes.items():
         if outcome.columns is not None:
-            offsets[name] = _section(builder, name, outcome.columns)
-    offsets["world"] = _world(builder, level)
-    offsets["strings"] = _strings(builder, strings.texts)
-    offsets["passes"] = _passes(builder, outcomes)
+            offsets[name] = _table(builder, camel_case(name), **file.columns(outcome.columns, SECTIONS[name]))
     omissions = [omission for outcome in outcomes.values() for omission in outcome.omissions]
     if omissions:
-        offsets["omissions"] = _omissions(builder, omissions)
+        offsets["omissions"] = _omissions(file, omissions, strings)
+    offsets |= _text(file, strings.texts)
+    offsets["world"] = _world(file, level)
+    offsets["passes"] = _passes(builder, outcomes)
     offsets["settings"] = _table(
         builder, "Settings",
         game=builder.CreateString(level.game), engine=builder.CreateString(settings.engine),
-        accuracy=builder.CreateString(settings.accuracy),
+        accuracy=builder.CreateString(settings.accuracy), cut_anyway=settings.cut_anyway,
+        **{
+            name: _strings(builder, sorted(passes))
+            for name, passes in (("only", settings.only), ("skip", settings.skip))
+            if passes
+        },
     )  # fmt: skip
-    offsets["inputs"] = _inputs(builder, level)
-    offsets["checksum"] = _vector(builder, np.zeros(hashlib.sha256().digest_size, np.uint8))
+    offsets["inputs"] = _inputs(file, level)
+    offsets["checksum"] = file.vector(np.zeros(hashlib.sha256().digest_size, np.uint8), shared=False)
     offsets["tool_version"] = builder.CreateString(__version__)
     root = _table(builder, "Level", format_major=FORMAT_MAJOR, format_minor=FORMAT_MINOR, **offsets)
     builder.Finish(root, b"JKLB")
     return seal(builder.Output())
 
 
-def _section(builder: flatbuffers.Builder, name: str, columns: Columns) -> int:
-    offsets = {}
-    for key, column in SECTIONS[name].items():
-        values = np.ascontiguousarray(columns[key], f"<{column.type}").reshape(-1)
-        offsets[key] = _vector(builder, values)
-    return _table(builder, camel_case(name), **offsets)
+class _File:
+    """A file being written: vectors of the same bytes are written once."""
 
+    def __init__(self) -> None:
+        self.builder = flatbuffers.Builder(FIRST_GUESS)
+        self._written: dict[tuple[int, bytes], int] = {}
 
-def _vector(builder: flatbuffers.Builder, values: np.ndarray[Any, Any]) -> int:
-    # The Python builder ignores force_align; Prep makes the first byte of the data fall on a multiple.
-    builder.Prep(ALIGNMENT, values.nbytes)
-    return int(builder.CreateNumpyVector(values))
+    def vector(self, values: np.ndarray[Any, Any], *, shared: bool = True) -> int:
+        """Write a vector, or find the one that has its bytes."""
+        flat = np.ascontiguousarray(values).reshape(-1)
+        key = (flat.itemsize, flat.tobytes())
+        if shared and key in self._written:
+            return self._written[key]
+        # The Python builder ignores force_align; Prep makes the first byte of the data fall on a multiple.
+        self.builder.Prep(ALIGNMENT, flat.nbytes)
+        offset = int(self.builder.CreateNumpyVector(flat))
+        if shared:
+            self._written[key] = offset
+        return offset
+
+    def columns(self, values: Columns, columns: Mapping[str, Column]) -> dict[str, int]:
+        """Write columns in their smallest forms: the offset of each by its field."""
+        stored: dict[str, Stored | None] = {}
+        for name, column in columns.items():
+            if column.until is not None or name in stored:
+                continue
+            given = values[name]
+            if isinstance(given, Stored):
+                stored[name] = given
+            elif column.group is None:
+                stored[name] = pack(given, column)
+            else:
+                group = {key: each for key, each in columns.items() if each.group == column.group}
+                arrays = {key: each for key in group if not isinstance(each := values[key], Stored)}
+                stored |= pack_group(arrays, group)
+        offsets = {}
+        for name, form in stored.items():
+            if form is not None and form.is_plain(columns[name]):
+                assert form.values is not None
+                offsets[name] = self.vector(form.values)
+            elif form is not None:
+                offsets[f"{name}_packed"] = self._packed(form)
+        return offsets
+
+    def _packed(self, form: Stored) -> int:
+        fields: dict[str, int | float] = {"count": form.count, "first": form.first, "step": form.step}
+        if form.values is not None:
+            kind = form.values.dtype.str[1:]
+            fields[next(name for name, each in VECTORS.items() if each == kind)] = self.vector(form.values)
+        if form.index is not None:
+            fields["index8" if form.index.itemsize == 1 else "index16"] = self.vector(form.index)
+        if form.origin:
+            fields["origin"] = self.vector(np.array(form.origin, "<i4"))
+        return _table(self.builder, "Packed", **fields)
 
 
 def _table(builder: flatbuffers.Builder, kind: str, /, **fields: int | float) -> int:
@@ -142,20 +201,33 @@ def _strings(builder: flatbuffers.Builder, texts: Sequence[str]) -> int:
     return _offsets(builder, [builder.CreateString(text) for text in texts])
 
 
-def _inputs(builder: flatbuffers.Builder, level: Level) -> int:
+def _text(file: _File, texts: Sequence[str]) -> dict[str, int]:
+    """Every string with a zero byte behind it, one after the other."""
+    octets = [text.encode() + b"\0" for text in texts]
+    start = np.concatenate([[0], np.cumsum([len(each) for each in octets], dtype=np.int64)])
+    return {
+        "strings": _offsets(file.builder, []),
+        "text": file.vector(np.frombuffer(b"".join(octets), np.uint8)),
+        **file.columns({"text_start": start}, {"text_start": TEXT["text_start"]}),
+    }
+
+
+def _inputs(file: _File, level: Level) -> int:
     digest = np.frombuffer(hashlib.sha256(level.source.data).digest(), np.uint8)
-    path = builder.CreateString(level.source.name)
-    return _offsets(builder, [_table(builder, "Input", path=path, sha256=_vector(builder, digest))])
+    path = file.builder.CreateString(level.source.name)
+    return _offsets(file.builder, [_table(file.builder, "Input", path=path, sha256=file.vector(digest))])
 
 
-def _omissions(builder: flatbuffers.Builder, omissions: Sequence[Omission]) -> int:
+def _omissions(file: _File, omissions: Sequence[Omission], strings: Strings) -> int:
     return _offsets(
-        builder,
+        file.builder,
         [
             _table(
-                builder, "Omission", section=builder.CreateString(each.section),
-                reason=builder.CreateString(each.reason), source=_vector(builder, np.array(each.source, "<i4")),
-                name=_strings(builder, each.names),
+                file.builder, "Omission", section=file.builder.CreateString(each.section),
+                reason=file.builder.CreateString(each.reason),
+                **file.columns(
+                    {"source": np.array(each.source, "<i4"), "name_text": strings.indices(each.names)}, OMISSION
+                ),
             )
             for each in omissions
         ],
@@ -172,9 +244,9 @@ def _passes(builder: flatbuffers.Builder, outcomes: Mapping[str, Outcome]) -> in
     return _offsets(builder, passes)
 
 
-def _world(builder: flatbuffers.Builder, level: Level) -> int:
+def _world(file: _File, level: Level) -> int:
     header = level.header
     fields: dict[str, int | float] = {"version": header.version}
     for name, values in header.values.items():
-        fields[name] = _vector(builder, values) if len(values) > 1 else float(values[0])
-    return _table(builder, "World", **fields)
+        fields[name] = file.vector(values) if len(values) > 1 else float(values[0])
+    return _table(file.builder, "World", **fields)

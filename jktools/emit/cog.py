@@ -20,7 +20,7 @@ from jktools.facts.cog.summary import (
     SymbolSummary,
     VerbSummary,
 )
-from jktools.facts.hotspots import CostSummary
+from jktools.facts.hotspots import CostSummary, frequency
 
 Costs = Mapping[str, Sequence[CostSummary]]
 """What tests of sight cost in a level, by the lower-case name of the script."""
@@ -67,15 +67,15 @@ def _of(script: ScriptSummary, costs: Costs) -> Sequence[CostSummary]:
 def _cost_lines(costs: Sequence[CostSummary]) -> Iterator[str]:
     yield f"  costs of sight ({len(costs)}):"
     for cost in costs:
-        calls = "any number of times" if cost.calls_per_second is None else f"{cost.calls_per_second:.6g} times"
-        yield f"    {cost.verb}, line {cost.line}, {cost.runner}: {calls} a second, {_work(cost)}"
+        often = frequency(cost.calls_per_second, cost.more, cost.causes)
+        yield f"    {cost.verb}, line {cost.line}, {cost.runner}: {often}; {_work(cost)}"
         yield f"      {cost.help}"
 
 
 def _work(cost: CostSummary) -> str:
     if not cost.pairs:
         return "its cost is not known"
-    known = "" if cost.verdict == "varies" else f"; {'always' if cost.verdict == 'always' else 'never'} succeeds"
+    known = "" if cost.finds is None else f"; {cost.finds}"
     return (
         f"{cost.mean_surfaces:.6g} surfaces in {cost.mean_sectors:.6g} sectors on the mean, {cost.most_surfaces} in "
         f"{cost.most_sectors} at most{known}"
@@ -140,7 +140,7 @@ def _source(source: SourceSummary) -> str:
     words = _KINDS[source.kind]
     low, high = source.least_seconds, source.most_seconds
     if source.line is None:
-        return words
+        return words + ", set by the flags" * (source.kind in ("pulse", "timer"))
     if source.off:
         words += " switched off"
     elif low is not None and high is not None:
@@ -169,4 +169,5 @@ def _verb(verb: VerbSummary) -> str:
 
 def _often(run: RunSummary) -> str:
     count = "any number of times" if run.per_run is None else f"{run.per_run:.6g}"
-    return f"{count} a run of {run.label}"
+    asleep = f" and {run.per_second:.6g} a second" if run.per_second else ""
+    return f"{count} a run of {run.label}{asleep}"

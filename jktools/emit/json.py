@@ -1,4 +1,4 @@
-"""Findings and compiled levels as JSON."""
+"""Findings and lists of files as JSON."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from typing import Any
 import msgspec
 
 from jktools import __version__
-from jktools.compiler import CompiledLevel
 from jktools.diagnostics import Diagnostic, Label, Severity
 from jktools.source import Container
 
@@ -35,33 +34,6 @@ def findings(
             },
             "diagnostics": [diagnostic_object(d) for d in diagnostics],
             **files_named,
-        }
-    )
-
-
-def compiled(level: CompiledLevel) -> str:
-    """What `inspect` says of a compiled level."""
-    sections = {
-        name: {
-            "bytes": sum(c.nbytes for c in section.columns.values()),
-            "count": len(section.columns),
-        }
-        for name, section in level.sections.items()
-    }
-    return dump(
-        {
-            "format": level.format,
-            "level": {
-                "tool_version": level.tool_version,
-                "bytes": level.data.nbytes,
-                "checksum": level.checksum,
-                "inputs": [{"path": path, "sha256": digest} for path, digest in level.inputs],
-            },
-            "settings": level.settings,
-            "sections": sections,
-            "counts": level.counts,
-            "passes": level.passes,
-            "omissions": level.omissions,
         }
     )
 

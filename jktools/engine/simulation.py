@@ -9,7 +9,7 @@ modelled.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -41,6 +41,10 @@ class Phase(NamedTuple):
     keys: Keys = Keys()
     ground: Ground | None = None
     """A new ground, None to keep the last."""
+    velocity: Vector | None = None
+    """Set at once, JKU/s in the body's frame (x right, y forward, z up): what SetThingVel does. None for none."""
+    sector_thrust: Vector | None = None
+    """JKU/s^2 from now on, in sectors with the flag: what SetSectorThrust does. None to keep the last."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +111,10 @@ class Simulation:
         return float(
             hover.hover_height(b.insert_offset_z, b.movesize, height=b.height, crouching=crouching, engine=self.engine)
         )
+
+    def launch(self, velocity: Vector) -> None:
+        """Give the body a velocity, JKU/s in its own frame: x right, y forward, z up."""
+        self.velocity = np.array(velocity, np.float64)
 
     def push(self, force: Vector) -> None:
         """Apply a force (mass JKU/s): changes velocity at once, may lift the body off, spares it one tick's drag."""
@@ -291,7 +299,7 @@ def simulate(simulation: Simulation, phases: Sequence[Phase], seconds: float, dt
         # Half a tick of slack: a phase that starts at 10 * dt starts there although 10 * dt is not a float.
         while active < len(phases) and phases[active].start <= (i + 0.5) * dt:
             keys, pressed = phases[active].keys, pressed or phases[active].keys.jump
-            simulation.ground = phases[active].ground or simulation.ground
+            _begin(simulation, phases[active])
             active += 1
         thrust, events = simulation.tick(keys, dt, jumps=pressed)
         rows[i + 1] = thrust, simulation.velocity, simulation.position
@@ -299,6 +307,14 @@ def simulate(simulation: Simulation, phases: Sequence[Phase], seconds: float, dt
         incidents += [Incident((i + 1) * dt, event, damage) for event, damage in events]
     time: Float64 = np.arange(count + 1, dtype=np.float64) * dt
     return History(time, rows[:, 0], rows[:, 1], rows[:, 2], attached, tuple(incidents), _warnings(simulation, dt))
+
+
+def _begin(simulation: Simulation, phase: Phase) -> None:
+    simulation.ground = phase.ground or simulation.ground
+    if phase.velocity is not None:
+        simulation.launch(phase.velocity)
+    if phase.sector_thrust is not None:
+        simulation.world = replace(simulation.world, sector_thrust=phase.sector_thrust)
 
 
 def _warnings(simulation: Simulation, dt: float) -> tuple[str, ...]:

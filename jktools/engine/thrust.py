@@ -31,6 +31,9 @@ CROUCHED_FRICTION = 0.8
 SWIM_FACTOR = 0.5
 """Part of maxthrust that the jump and crouch keys add along z under water."""
 
+MOST_AI_SPEED = 2.0
+"""The greatest factor on maxthrust with which an AI walks or runs; the leap of an attack has 4 (sithAICmd)."""
+
 ACTOR_READABLE_THRUST = 0.0
 """What GetThingThrust tells of an AI actor even while it moves: its steps never pass through the thrust vector."""
 

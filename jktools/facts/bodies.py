@@ -15,6 +15,7 @@ from jktools.engine.jump import CROUCHED_JUMP_FACTOR, apex, fall_damage, landing
 from jktools.engine.lip import highest_lip
 from jktools.engine.profile import Engine
 from jktools.engine.reattach import reattach_distance
+from jktools.facts.motion import body_of
 from jktools.model import Level
 from jktools.model.insert_offset import insert_offset
 from jktools.model.templates import Resolved
@@ -128,22 +129,16 @@ def _walker(level: Level, held: Resolved) -> Walker | None:
         return None
     if not flags & PhysicsFlag.FLOOR_STICK or flags & PhysicsFlag.FLIES or held.number("movesize") <= 0:
         return None
-    height = held.number("height")
-    offset = insert_offset(level.resources, held.name_in("model3d") or "") if not height else None
-    body = Body(
-        maxthrust=held.number("maxthrust"),
-        surfdrag=held.number("surfdrag"),
-        airdrag=held.number("airdrag"),
-        staticdrag=held.number("staticdrag"),
-        mass=held.number("mass"),
-        movesize=held.number("movesize"),
-        insert_offset_z=0.0 if offset is None else offset.z,
-        height=height,
-        jumpspeed=held.number("jumpspeed"),
-        maxvel=held.number("maxvel"),
-        physflags=flags,
-        player=held.type == PLAYER,
-    )
+    body, hovers = hovering_body(level, held)
     gravity = level.header.values.get("gravity", (WORLD_GRAVITY,))
     name = str(getattr(held.owner, "template_name", held.owner.name)).lower()
-    return Walker(body, bool(height) or offset is not None, float(gravity[0]), (name,))
+    return Walker(body, hovers, float(gravity[0]), (name,))
+
+
+def hovering_body(level: Level, held: Resolved) -> tuple[Body, bool]:
+    """What the engine moves of a template, with its model's insert offset; and whether its hover height is known."""
+    body = body_of(held)
+    if body.height:
+        return body, True
+    offset = insert_offset(level.resources, held.name_in("model3d") or "")
+    return replace(body, insert_offset_z=0.0 if offset is None else offset.z), offset is not None

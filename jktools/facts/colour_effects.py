@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from jktools.engine.arrays import UInt8
-from jktools.engine.colour import lookup_table
+from jktools.engine.colour import Renderer, lookup_table
 from jktools.engine.colour_effect import ColourEffect
 from jktools.engine.framebuffer import Depth
 from jktools.engine.palette import under_effect
@@ -26,6 +26,24 @@ from jktools.syntax.assets.colormap import read_colormap
 
 VERB = "newcoloreffect"
 WHITE = 255
+SCREEN_STEP = WHITE / 31
+"""Of the 0 to 255 of a channel: one level of red or blue on the game's screen, RGB565. What lies closer is one to the
+eye: black holds nothing above one step, white nothing below the last but one."""
+
+
+class View(NamedTuple):
+    """Whose word counts on what is seen."""
+
+    engine: Engine
+    renderer: Renderer
+    title: str
+
+
+VIEWS = (
+    View(Engine.RESEARCH, Renderer.HARDWARE, "the research document"),
+    View(Engine.OPENJKDF2, Renderer.HARDWARE, "the decompiled engine in hardware"),
+    View(Engine.OPENJKDF2, Renderer.SOFTWARE, "the decompiled engine in software"),
+)
 
 
 class ConstantEffect(NamedTuple):
@@ -47,19 +65,21 @@ class Shown(NamedTuple):
     """(256, 3)."""
 
     @property
-    def is_black(self) -> bool:
-        """Whether nothing is left to see."""
-        return not self.after.any()
+    def hides(self) -> str | None:
+        """What all colours become, to within one step of the screen: black, white or one colour.
 
-    @property
-    def is_white(self) -> bool:
-        """Whether every colour becomes white."""
-        return bool((self.after == WHITE).all())
+        None where some can be told apart, and where none could be before.
+        """
+        return None if _as_one(self.before) else _as_one(self.after)
 
-    @property
-    def is_one_colour(self) -> bool:
-        """Whether every colour becomes the same."""
-        return bool((self.after == self.after[0]).all())
+
+def _as_one(colours: UInt8) -> str | None:
+    if colours.max() <= SCREEN_STEP:
+        return "black"
+    if colours.min() >= WHITE - SCREEN_STEP:
+        return "white"
+    spread = colours.max(axis=0).astype(np.float64) - colours.min(axis=0)
+    return "one colour" if spread.max() <= SCREEN_STEP else None
 
 
 def constant_effects(runners: Iterable[Runner]) -> list[ConstantEffect]:
@@ -92,9 +112,29 @@ def palettes(level: Level) -> list[tuple[int, UInt8]]:
     return found
 
 
-def shown(effect: ColourEffect, known: list[tuple[int, UInt8]], engine: Engine = Engine.RESEARCH) -> list[Shown]:
-    """An effect on each palette; on the ramp of all levels of all channels where there is none."""
+def shown(
+    effect: ColourEffect,
+    known: list[tuple[int, UInt8]],
+    engine: Engine = Engine.RESEARCH,
+    renderer: Renderer = Renderer.SOFTWARE,
+) -> list[Shown]:
+    """An effect on each palette; on the ramp of all levels of all channels where there is none.
+
+    In 8 bits a channel, as the palette is stored; the renderer matters to `openjkdf2` only.
+    """
     if not known:
         ramp = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
-        return [Shown(-1, ramp, lookup_table(effect, engine, depth=Depth.RGB888))]
-    return [Shown(index, palette, under_effect(palette, effect, engine)) for index, palette in known]
+        return [Shown(-1, ramp, lookup_table(effect, engine, renderer, Depth.RGB888))]
+    return [Shown(index, palette, under_effect(palette, effect, engine, renderer)) for index, palette in known]
+
+
+def hidden(effect: ColourEffect, known: list[tuple[int, UInt8]]) -> dict[View, str | None]:
+    """What an effect makes of all that is seen, by who says so; None where something is left to tell apart.
+
+    Of several palettes it has to hide all, and then the first tells the colour.
+    """
+    found: dict[View, str | None] = {}
+    for view in VIEWS:
+        hides = [each.hides for each in shown(effect, known, view.engine, view.renderer)]
+        found[view] = hides[0] if all(hides) else None
+    return found

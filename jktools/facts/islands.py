@@ -1,15 +1,14 @@
-"""Sectors that no player comes to."""
+"""Parts of a level that no player comes to."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-import numpy as np
-
-from jktools.geometry.validity import Int32
+from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.travel import Ways, reached
 from jktools.model import Level, Thing
 
-ADJOIN_MOVEMENT = 0x2
 ITEM = "item"
 
 
@@ -18,70 +17,62 @@ class Island(NamedTuple):
 
     sectors: tuple[int, ...]
     items: tuple[Thing, ...]
+    """Those in it that no script can take out."""
+    leads_out: bool
+    """Whether a player who was in it could come out, as from a window that lets nobody in."""
+
+    @property
+    def size(self) -> str:
+        """For messages."""
+        count = f"{len(self.sectors)} sectors" if len(self.sectors) > 1 else "one sector"
+        return f"{count}, from which ways lead out, but none in" if self.leads_out else count
 
 
-def islands(level: Level, openable: Int32) -> list[Island]:
-    """The parts of a level that no player start leads to, in the order of their first sector.
+def islands(
+    level: Level, visited: frozenset[int] | None, ways: Ways, instances: Iterable[InstanceFacts]
+) -> list[Island]:
+    """The parts of a level that players do not come to, in the order of their first sector.
 
-    Through adjoins that let things pass or that scripts can open. What a value of a placed COG can name, a sector, a
-    surface or a thing, counts as reached: the script may take the player there. Nothing is an island in a level
-    without a player start.
+    `visited` are the sectors that they come to, None where that is not known; `ways` lead from sector to sector. An
+    item that a placed script names is in nobody's list: the script may give it to the player.
     """
-    neighbours = _neighbours(level, openable)
-    starts = {t.sector_index for t in level.things if t.dropped is None and t.resolved.type == "player"}
-    if not starts:
+    if not visited:
         return []
-    reached = _from(starts | _named(level), neighbours)
-    found = []
-    seen = set(reached)
+    handed = _handed(instances)
     items: dict[int, list[Thing]] = {}
     for thing in level.things:
-        if thing.dropped is None and thing.resolved.type == ITEM:
+        if thing.dropped is None and thing.resolved.type == ITEM and thing.number not in handed:
             items.setdefault(thing.sector_index, []).append(thing)
-    for sector in range(len(level.sectors)):
+    return [
+        Island(part, tuple(t for s in part for t in items.get(s, ())), any(b in visited for s in part for b in ways[s]))
+        for part in _parts(ways, [s for s in range(len(level.sectors)) if s not in visited])
+    ]
+
+
+def _parts(ways: Ways, sectors: Sequence[int]) -> list[tuple[int, ...]]:
+    """Cut sectors into those that hang together, whichever way one leads to the other."""
+    both: dict[int, list[int]] = {sector: [] for sector in sectors}
+    for sector in sectors:
+        for behind in ways[sector]:
+            if behind in both:
+                both[sector].append(behind)
+                both[behind].append(sector)
+    around = [both.get(sector, []) for sector in range(len(ways))]
+    found: list[tuple[int, ...]] = []
+    seen: set[int] = set()
+    for sector in sectors:
         if sector not in seen:
-            part = _from({sector}, neighbours)
+            part = reached(around, [sector])
             seen |= part
-            inside = tuple(sorted(part))
-            found.append(Island(inside, tuple(t for s in inside for t in items.get(s, ()))))
+            found.append(tuple(sorted(part)))
     return found
 
 
-def _neighbours(level: Level, openable: Int32) -> list[list[int]]:
-    """Both ways round, so that a part that a one-way adjoin leads out of is no second island."""
-    found: list[list[int]] = [[] for _ in range(len(level.sectors))]
-    opens = np.zeros(len(level.surfaces), np.bool_)
-    opens[openable] = True
-    owner, adjoin = level.surface_sector, level.document.surfaces.adjoin
-    for surface in np.flatnonzero((adjoin >= 0) & (adjoin < len(level.adjoins)) & (owner >= 0)).tolist():
-        index = int(adjoin[surface])
-        behind = int(level.adjoin_sector[index])
-        if behind >= 0 and (int(level.document.adjoins.flags[index]) & ADJOIN_MOVEMENT or opens[surface]):
-            found[int(owner[surface])].append(behind)
-            found[behind].append(int(owner[surface]))
-    return found
-
-
-def _named(level: Level) -> set[int]:
-    things = {thing.number: thing.sector_index for thing in level.things if thing.dropped is None}
+def _handed(instances: Iterable[InstanceFacts]) -> frozenset[int]:
+    """The numbers of things that placed scripts name; each number of a line whose script is not at hand."""
     found: set[int] = set()
-    for cog in level.cogs:
-        for text in cog.values:
-            if text.isdecimal() and len(text) < 10:
-                number = int(text)
-                found.add(number)
-                found.add(things.get(number, -1))
-                if number < len(level.surfaces):
-                    found.add(int(level.surface_sector[number]))
-    return {sector for sector in found if 0 <= sector < len(level.sectors)}
-
-
-def _from(starts: set[int], neighbours: list[list[int]]) -> set[int]:
-    reached = set(starts)
-    pending = list(starts)
-    while pending:
-        for sector in neighbours[pending.pop()]:
-            if sector not in reached:
-                reached.add(sector)
-                pending.append(sector)
-    return reached
+    for instance in instances:
+        if instance.script is None:
+            found.update(int(text) for text in instance.cog.values if text.isdecimal() and len(text) < 10)
+        found.update(v.value for v in instance.values if v.slot.type == "thing" and isinstance(v.value, int))
+    return frozenset(found)

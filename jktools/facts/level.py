@@ -8,17 +8,37 @@ from jktools import geometry
 from jktools.engine.profile import Engine
 from jktools.facts.basins import Basin, Touched, basins_of, touched_by_scripts
 from jktools.facts.bodies import Walker, walkers
+from jktools.facts.camera import Camera
 from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.floors import Floors
-from jktools.facts.hotspots import Hotspot, Runner, Scene, SightWork, asks_for_sight, runners, with_created
+from jktools.facts.hotspots import (
+    Hotspot,
+    Runner,
+    Scene,
+    SightWork,
+    Verdicts,
+    class_scripts,
+    game_runners,
+    game_scripts,
+    mentions_sight,
+    runners,
+    with_created,
+)
+from jktools.facts.in_view import Counted, FullFrame, fullest, in_view, totals
+from jktools.facts.islands import Island, islands
 from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
 from jktools.facts.occluders import Occluders
-from jktools.facts.openings import MOVEMENT, VISIBLE, opened_by_cogs
+from jktools.facts.openings import MOVEMENT, NOT_FOR_PLAYERS, VISIBLE, cleared_by_cogs, opened_by_cogs
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
+from jktools.facts.scene import Scene as SightScene
+from jktools.facts.scene import scene
 from jktools.facts.script import ScriptFacts, script_facts
+from jktools.facts.sightline import EndpointError
+from jktools.facts.still import Still
+from jktools.facts.travel import PLAYER, landings, passages, reached, rides
 from jktools.geometry import (
     Accuracy,
     Alignment,
@@ -174,9 +194,46 @@ class LevelFacts:
         return opened_by_cogs(self.level, self.instances, MOVEMENT)
 
     @cached_property
+    def ways(self) -> list[list[int]]:
+        """From each sector, those that a player comes to from there through an adjoin."""
+        return passages(
+            self.level, self.enterable_surfaces, cleared_by_cogs(self.level, self.instances, NOT_FOR_PLAYERS)
+        )
+
+    @cached_property
+    def visited(self) -> frozenset[int] | None:
+        """The sectors that players come to, by `jktools.facts.travel`; None where that is not known."""
+        starts = {t.sector_index for t in self.level.things if t.dropped is None and t.resolved.type == PLAYER}
+        put = landings(self.level, self.instances, self.runners)
+        if put is None or not starts:
+            return None
+        return reached(self.ways, starts | put, rides(self.mesh, self.movers))
+
+    @cached_property
+    def islands(self) -> list[Island]:
+        """The parts of the level that no player comes to; none where that is not known."""
+        return islands(self.level, self.visited, self.ways, self.instances)
+
+    @cached_property
     def visibility(self) -> VisibleSectors:
         """Which sectors can be seen from which, at `balanced`."""
         return self.mesh.visible_sectors(open_surfaces=self.openable_surfaces)
+
+    @cached_property
+    def camera(self) -> Camera:
+        """What the renderer takes into frames of the level."""
+        return Camera(self.level)
+
+    def fullest_frame(self, item: Counted, most: int) -> FullFrame | None:
+        """A frame that takes in more than the engine draws of something, the fullest that is found; None without."""
+        if totals(self.level, self.camera)[item] <= most:
+            return None
+        found = fullest(self.level, self.camera, self._in_view[item], item)
+        return found if found is not None and found.held > most else None
+
+    @cached_property
+    def _in_view(self) -> tuple[Int32, Int32, Int32]:
+        return in_view(self.camera, self.visibility)
 
     def visible_sectors(self, accuracy: Accuracy) -> VisibleSectors:
         """Which sectors can be seen from which, at any tier."""
@@ -235,6 +292,11 @@ class LevelFacts:
         except InputError:
             return None
 
+    def is_own_script(self, name: str) -> bool:
+        """Whether a script comes with the level, and not from a base."""
+        found = self.level.resources.find(Kind.COG, name)
+        return found is not None and found.own
+
     @cached_property
     def instances(self) -> tuple[InstanceFacts, ...]:
         """The placed scripts, one for each line of the level's `cogs`.
@@ -264,10 +326,32 @@ class LevelFacts:
     @cached_property
     def hotspots(self) -> list[Hotspot]:
         """The calls of verbs of sight, the dearest first."""
-        if not any(asks_for_sight(runner) for runner in self.runners):
+        if not self._may_ask_for_sight:
             return []
-        scripts = with_created(self.level, self.runners, self.reach)
-        return Scene(self.level, scripts, SightWork(self.level, self.mesh, self.changeable_surfaces)).hotspots()
+        still = Still(self.level, self.instances, self.running, self.reach)
+        verdicts = Verdicts((t for t in self.level.things if t.dropped is None), still, self._seen)
+        work = SightWork(self.level, self.mesh, self.changeable_surfaces)
+        return Scene(self.level, self.running, work, verdicts, self.reach.created).hotspots()
+
+    def _seen(self, a: int, b: int, engine: Engine) -> SightScene | None:
+        """What is seen of one thing from another, by their numbers; None where one is not in the level."""
+        try:
+            return scene(self, str(a), str(b), engine)
+        except EndpointError:
+            return None
+
+    @cached_property
+    def _may_ask_for_sight(self) -> bool:
+        """Whether the text of any script that could run names a verb of sight: a quick look before a long one."""
+        names = [cog.name.lower() for cog in self.level.cogs]
+        names += [*class_scripts(self.level), *(name for name, _ in game_scripts(self.level))]
+        return any(mentions_sight(self.level.resources, name) for name in dict.fromkeys(names))
+
+    @cached_property
+    def running(self) -> list[Runner]:
+        """The scripts that run, with the class COGs that only things to come carry, and the game's own."""
+        found = with_created(self.level, self.runners, self.reach, self.script)
+        return [*found, *game_runners(self.level, self.script)]
 
     def cel_count(self, material: int) -> int | None:
         """How many cels a material of the level's list has; None where its file is not at hand or is broken."""

@@ -20,7 +20,10 @@ VISIBLE = 0x1
 """Of an adjoin's flags: sight passes."""
 MOVEMENT = 0x2
 """Of an adjoin's flags: things pass."""
+NOT_FOR_PLAYERS = 0x10
+"""Of an adjoin's flags: it holds players, though things pass (sithCollision_MoveThing in the decompiled engine)."""
 SURFACE_VERBS = frozenset({"setadjoinflags"})
+CLEARING_VERBS = frozenset({"clearadjoinflags"})
 SECTOR_VERBS = frozenset({"sectoradjoins", "setsectoradjoins"})
 _NUMBER = re.compile(r"\+?\d{1,9}")
 
@@ -50,6 +53,19 @@ def opened_by_cogs(level: Level, instances: Iterable[InstanceFacts], flag: int) 
             elif site.verb.name in SECTOR_VERBS and how.number != 0:
                 _take(level, named, np.zeros(0, np.int64), _allowed(which, numbers))
     return np.flatnonzero(_both_sides(level, named)).astype(np.int32)
+
+
+def cleared_by_cogs(level: Level, instances: Iterable[InstanceFacts], flag: int) -> Int32:
+    """Find the surfaces whose adjoins the placed COGs can take a flag from, sorted: as `opened_by_cogs` finds them."""
+    named = np.zeros(len(level.surfaces), np.bool_)
+    for instance in instances:
+        numbers = _numbers(instance.cog.values)
+        if instance.script is None:
+            _take(level, named, numbers, np.zeros(0, np.int64))
+        for site in instance.analysis.rates.sites if instance.analysis is not None else ():
+            if site.verb.name in CLEARING_VERBS and len(site.arguments) > 1 and _may_hold(site.arguments[1], flag):
+                _take(level, named, _allowed(site.arguments[0], numbers), np.zeros(0, np.int64))
+    return np.flatnonzero(named).astype(np.int32)
 
 
 def _numbers(values: Iterable[str]) -> Numbers:

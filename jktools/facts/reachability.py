@@ -27,7 +27,10 @@ from jktools.syntax.assets.reading import read_asset
 from jktools.syntax.cog.nodes import String
 from jktools.syntax.template.parameters import Refers
 
-ENGINE_TEMPLATES = ("walkplayer", "+ssparks_saber", "+ssparks_blood", "+ssparks_wall", "+twinkle", "+backpack")
+PLAYER = "walkplayer"
+"""What players are: the level places one at each start."""
+
+ENGINE_TEMPLATES = (PLAYER, "+ssparks_saber", "+ssparks_blood", "+ssparks_wall", "+twinkle", "+backpack")
 """What the engine creates by name: the player, sparks of the saber, twinkles of items and dropped backpacks."""
 
 ITEMS = "items.dat"
@@ -66,6 +69,8 @@ class Reach:
     """By kind and lower-case name; missing files too."""
     unread: tuple[Unread, ...]
     """Scripts that may reach more than is known: while there is one, no template can be left out."""
+    created: frozenset[str]
+    """Those of the templates that play can create more things from, by lower-case name."""
     missing: tuple[str, ...]
     """Files that name further files and are not at hand: while there is one, no file can be left out."""
 
@@ -91,6 +96,7 @@ def reach(level: Level, script_of: ScriptOf) -> Reach:
         MappingProxyType(search.templates),
         MappingProxyType({kind: MappingProxyType(names) for kind, names in search.files.items()}),
         tuple(search.unread),
+        frozenset(search.created),
         tuple(search.missing),
     )
 
@@ -99,6 +105,7 @@ class _Search:
     def __init__(self, level: Level, script_of: ScriptOf) -> None:
         self.level, self._script_of = level, script_of
         self.templates: dict[str, str] = {}
+        self.created: set[str] = set()
         self.files: dict[Kind, dict[str, str]] = {kind: {} for kind in Kind}
         self.unread: list[Unread] = []
         self.missing: list[str] = []
@@ -120,10 +127,10 @@ class _Search:
         level = self.level
         for thing in level.things:
             if thing.dropped is None:
-                self._template(thing.template_name, f"{thing.title} is placed")
+                self._template(thing.template_name, f"{thing.title} is placed", placed=True)
                 self._follow(thing.resolved, thing.title)
         for name in ENGINE_TEMPLATES:
-            self._template(name, "the engine creates it by name")
+            self._template(name, "the engine creates it by name", placed=name == PLAYER)
         for cog in level.cogs:
             self._reach(Kind.COG, cog.name, f"{cog.title} is placed")
             self._values(cog)
@@ -152,8 +159,10 @@ class _Search:
 
     # ---- what is reached
 
-    def _template(self, name: str, why: str) -> None:
+    def _template(self, name: str, why: str, *, placed: bool = False) -> None:
         held = self.level.resolved_templates.get(name)
+        if held is not None and not placed:
+            self.created.add(name.lower())
         if held is not None and name.lower() not in self.templates:
             self.templates[name.lower()] = why
             self._pending.append(held)

@@ -6,11 +6,10 @@ import enum
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cmp_to_key
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from jktools.engine import sight as rules
 from jktools.engine.profile import Engine
-from jktools.facts.level import LevelFacts
 from jktools.facts.occluders import Along, Meeting, Point, place_on, sphere_meeting
 from jktools.facts.sightline import (
     Endpoint,
@@ -23,7 +22,10 @@ from jktools.facts.sightline import (
 )
 from jktools.geometry.engine_sight import Cut, Way, engine_way
 from jktools.geometry.mesh import Explanation
-from jktools.model import Level
+from jktools.model import Level, Thing
+
+if TYPE_CHECKING:
+    from jktools.facts.level import LevelFacts
 
 
 class Verdict(enum.StrEnum):
@@ -55,6 +57,22 @@ class Scene(NamedTuple):
     """Blocking surfaces within 1e-5 JKU of the target."""
     cut: Cut | None = None
     """`openjkdf2`: why the search ends early, in the last sector, and calls the rest clear."""
+
+    @property
+    def is_visible(self) -> bool:
+        """Whether it is seen whatever may be elsewhere or changed of what stands there."""
+        return self.verdict is Verdict.VISIBLE and not self.unjudged and not self.touching
+
+    @property
+    def is_hidden(self) -> bool:
+        """Whether it is not seen, whatever may be elsewhere or changed of what stands there."""
+        return self.verdict is Verdict.NOT_VISIBLE and not self.touching
+
+    @property
+    def blockers(self) -> Sequence[Thing]:
+        """The things that hide it, and that nothing is known to move; none where a wall does."""
+        walled = not self.line.explanation.visible and not self.reached
+        return () if walled else [one.thing for one in self.things if one.changes is None]
 
 
 def scene(facts: LevelFacts, a: str, b: str, engine: Engine = Engine.RESEARCH, *, things: bool = True) -> Scene:
@@ -147,26 +165,6 @@ def _null(facts: LevelFacts, a: str, b: str) -> Scene:
             found.append(Endpoint(str(error), (nan, nan, nan), -1))
     line = Sightline(found[0], found[1], Explanation(True, ()))
     return Scene(line, (), False, 0, Verdict.NULL_THING)
-
-
-End = int | str | Sequence[float]
-"""An end of a query: a thing's number, x y z in JKU, or either as text."""
-
-
-def sight(level: Level, a: End, b: End, *, engine: Engine | str = Engine.RESEARCH, things: bool = True) -> Scene:
-    """Explain whether `b` is seen from `a`, among walls alone or things too: `scene` for the Python API.
-
-    What is computed about the level is kept with it. Raises EndpointError, a ValueError, for an end that names no
-    thing or no point in a sector, and ValueError for an `engine` that does not exist.
-    """
-    return scene(LevelFacts.of(level), text_of(a), text_of(b), Engine(engine), things=things)
-
-
-def text_of(end: End) -> str:
-    """Spell an end as `scene` reads it."""
-    if isinstance(end, (int, str)):
-        return str(end)
-    return ",".join(repr(float(x)) for x in end)
 
 
 def tell(level: Level, found: Scene) -> Iterator[str]:

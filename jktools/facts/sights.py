@@ -1,16 +1,16 @@
-"""Many sight queries over one level, things included: the verdicts of `scene`, found with less work."""
+"""Sight over a level for the Python API: one query explained, or the verdicts of many, found with less work."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
 from jktools.engine.profile import Engine
 from jktools.facts.level import LevelFacts
-from jktools.facts.scene import End, Verdict, scene, text_of
+from jktools.facts.scene import Scene, Verdict, scene
 from jktools.facts.sightline import Endpoint, EndpointError, ends
 from jktools.model import Level
 
@@ -18,6 +18,26 @@ SLACK = 1e-9
 """Of a length: far more than a rounded place on a segment can be off."""
 ROWS = 256
 """Queries held against all things at a time."""
+
+
+End = int | str | Sequence[float]
+"""An end of a query: a thing's number, x y z in JKU, or either as text."""
+
+
+def sight(level: Level, a: End, b: End, *, engine: Engine | str = Engine.RESEARCH, things: bool = True) -> Scene:
+    """Explain whether `b` is seen from `a`, among walls alone or things too: `scene` for the Python API.
+
+    What is computed about the level is kept with it. Raises EndpointError, a ValueError, for an end that names no
+    thing or no point in a sector, and ValueError for an `engine` that does not exist.
+    """
+    return scene(LevelFacts.of(level), text_of(a), text_of(b), Engine(engine), things=things)
+
+
+def text_of(end: End) -> str:
+    """Spell an end as `scene` reads it."""
+    if isinstance(end, (int, str)):
+        return str(end)
+    return ",".join(repr(float(x)) for x in end)
 
 
 def sights(

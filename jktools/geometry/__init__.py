@@ -8,6 +8,7 @@ from jktools.geometry.extent import Extent, centers_outside, sector_extent, sect
 from jktools.geometry.mesh import BLOCKS, Accuracy, Explanation, Location, SectorMesh, Sight, Step
 from jktools.geometry.nonconvexity import Behind, vertices_behind
 from jktools.geometry.normals import NormalFit, normal_fit
+from jktools.geometry.plan import Plan
 from jktools.geometry.soundness import (
     Closure,
     Edges,
@@ -50,6 +51,7 @@ __all__ = [
     "OpenEdges",
     "Outside",
     "Overlaps",
+    "Plan",
     "Planarity",
     "Progress",
     "SectorMesh",

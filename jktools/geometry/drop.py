@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.engine.flags import SectorFlag, SurfaceFlag
+from jktools.geometry.plan import Plan, plan_of
 from jktools.model import Level
 
 Bool = npt.NDArray[np.bool_]
@@ -71,22 +72,23 @@ class Ground(NamedTuple):
 
 
 def ground_of(level: Level) -> Ground:
-    """Tell what a body meets in a level.
+    """Tell what a body meets in a level, as `ground` says."""
+    return ground(plan_of(level))
+
+
+def ground(plan: Plan) -> Ground:
+    """Tell what a body meets.
 
     It passes through an adjoin with movement (0x2) that leads into a sector. Every other surface with an adjoin stops
     it, and without an adjoin those with surface flag 0x4; either carries it with flag 0x1. The rest it does not meet
     (sithCollision in the decompiled engine).
     """
-    surfaces, adjoins = level.document.surfaces, level.document.adjoins
-    count = len(adjoins.flags)
-    has_adjoin = (surfaces.adjoin >= 0) & (surfaces.adjoin < count)
-    used = np.where(has_adjoin, surfaces.adjoin, count)  # the entry behind the last stands for none
-    passes = np.append((adjoins.flags & ADJOIN_MOVEMENT) != 0, False)[used]
-    behind = np.append(level.adjoin_sector, -1)[used]
-    solid = has_adjoin | ((surfaces.flags & SurfaceFlag.COLLISION) != 0)
-    floor = (surfaces.flags & SurfaceFlag.FLOOR) != 0
+    passes = plan.by_adjoin(((plan.adjoin_flags & ADJOIN_MOVEMENT) != 0).astype(np.int32), 0) != 0
+    behind = plan.by_adjoin(plan.adjoin_sector, -1)
+    solid = plan.has_adjoin | ((plan.surface_flags & SurfaceFlag.COLLISION) != 0)
+    floor = (plan.surface_flags & SurfaceFlag.FLOOR) != 0
     stays = np.where(solid, np.where(floor, CARRIES, STOPS), ABSENT)
     return Ground(
         np.where(passes & (behind >= 0), behind, stays).astype(np.int32),
-        (level.document.sectors.flags & SectorFlag.UNDERWATER) != 0,
+        (plan.sector_flags & SectorFlag.UNDERWATER) != 0,
     )

@@ -10,7 +10,8 @@ import numpy.typing as npt
 
 from jktools._native_geometry import Faller, Viewer  # noqa: TID251 (this package is the door)
 from jktools._native_geometry import visibility as native_visibility  # noqa: TID251 (this package is the door)
-from jktools.geometry.drop import CARRIES, NO_LIMIT, Drop, Ending, Ground, ground_of
+from jktools.geometry.drop import CARRIES, NO_LIMIT, Drop, Ending, Ground, ground
+from jktools.geometry.plan import Plan, plan_of
 from jktools.geometry.visibility import Progress, VisibleSectors
 from jktools.model import Level
 
@@ -93,8 +94,13 @@ class SectorMesh:
         An unsound sector (see `Level.sound_sectors`) is left out: adjoins into it block, and a query that starts in
         it is answered with crossed 0. An adjoin with no sector behind it blocks as well.
         """
-        arrays = mesh_arrays(level)
-        return cls(Viewer(*arrays), level.sound_sectors, arrays[3], _sector_behind(level, 0), ground_of(level))
+        return cls.from_plan(plan_of(level))
+
+    @classmethod
+    def from_plan(cls, plan: Plan) -> SectorMesh:
+        """Take the geometry of a level, whether as written or compiled; the rest as `from_level`."""
+        arrays = plan_arrays(plan)
+        return cls(Viewer(*arrays), plan.sound_sectors, arrays[3], _sector_behind(plan, 0), ground(plan))
 
     @classmethod
     def from_arrays(
@@ -146,19 +152,22 @@ class SectorMesh:
         """Bytes of native memory held."""
         return self._viewer.memory
 
-    def locate(self, points: npt.ArrayLike, threads: int = 0) -> Int32:
+    def locate(self, points: npt.ArrayLike, accuracy: Accuracy = "balanced", threads: int = 0) -> Int32:
         """Find the sector of each point, (n, 3) JKU, or -1; `location` tells the points in several."""
-        return self.location(points, threads).sector
+        return self.location(points, accuracy, threads).sector
 
-    def location(self, points: npt.ArrayLike, threads: int = 0) -> Location:
-        """Find the sectors that hold each point, (n, 3) JKU, exactly in float64.
+    def location(self, points: npt.ArrayLike, accuracy: Accuracy = "balanced", threads: int = 0) -> Location:
+        """Find the sectors that hold each point, (n, 3) JKU.
 
         A sector holds a point inside when its triangles wind around it, whatever their shape. A sector that is not
         closed holds the points that lie behind none of its triangles. A point on a face that sectors share belongs
-        to the first of them, unless another sector holds it inside. Raises ValueError naming the point that is not
+        to the first of them, unless another sector holds it inside.
+
+        `balanced` and `exact` are exact in float64; `fast` counts what is straight above the point in plain doubles,
+        and takes every sector for closed. threads 0 means one a core. Raises ValueError naming the point that is not
         finite or has a coordinate of 2^150 JKU or more.
         """
-        return Location(*self._viewer.locate(_points(points), threads))
+        return Location(*self._viewer.locate(_points(points), accuracy, threads))
 
     def sight(
         self,
@@ -280,28 +289,30 @@ class SectorMesh:
 
 def mesh_arrays(level: Level) -> tuple[Float64, Int32, Int32, Int32, Int32, Int32]:
     """Give the arguments of `from_arrays` for a level, positions flat; unsound surfaces and sectors are empty."""
-    surfaces, sectors, sound = level.document.surfaces, level.document.sectors, level.sound_sectors
-    keep = np.repeat(level.sound_surfaces, np.diff(surfaces.corner_start))
-    corners = np.where(level.sound_surfaces, np.diff(surfaces.corner_start), 0)
+    return plan_arrays(plan_of(level))
+
+
+def plan_arrays(plan: Plan) -> tuple[Float64, Int32, Int32, Int32, Int32, Int32]:
+    """The same of a plan."""
+    sound = plan.sound_sectors
+    keep = np.repeat(plan.sound_surfaces, np.diff(plan.corner_start))
+    corners = np.where(plan.sound_surfaces, np.diff(plan.corner_start), 0)
     return (
-        np.where(np.isfinite(level.vertices), level.vertices, 0).astype(np.float64).ravel(),
+        np.where(np.isfinite(plan.positions), plan.positions, 0).astype(np.float64).ravel(),
         np.concatenate([[0], np.cumsum(corners)]).astype(np.int32),
-        np.ascontiguousarray(surfaces.corner_vertex[keep], np.int32),
-        _sector_behind(level, ADJOIN_VISIBLE),
-        np.where(sound, sectors.first_surface, 0).astype(np.int32),
-        np.where(sound, sectors.surface_count, 0).astype(np.int32),
+        np.ascontiguousarray(plan.corner_vertex[keep], np.int32),
+        _sector_behind(plan, ADJOIN_VISIBLE),
+        np.where(sound, plan.first_surface, 0).astype(np.int32),
+        np.where(sound, plan.surface_count, 0).astype(np.int32),
     )
 
 
-def _sector_behind(level: Level, flags: int) -> Int32:
+def _sector_behind(plan: Plan, flags: int) -> Int32:
     """The sound sector behind each surface whose adjoin has these flags; else BLOCKS."""
-    adjoins, sound = level.document.adjoins, level.sound_sectors
-    behind = level.adjoin_sector
-    shows = (behind >= 0) & ((adjoins.flags & flags) == flags)
-    shows[shows] &= sound[behind[shows]]
-    by_adjoin = np.append(np.where(shows, behind, BLOCKS), BLOCKS).astype(np.int32)
-    used = level.document.surfaces.adjoin
-    return by_adjoin[np.where((used >= 0) & (used < len(behind)), used, -1)]
+    behind = plan.adjoin_sector
+    shows = (behind >= 0) & ((plan.adjoin_flags & flags) == flags)
+    shows[shows] &= plan.sound_sectors[behind[shows]]
+    return plan.by_adjoin(np.where(shows, behind, BLOCKS).astype(np.int32), BLOCKS)
 
 
 def _points(points: npt.ArrayLike) -> Float64:

@@ -3,26 +3,42 @@
 from __future__ import annotations
 
 from jktools.diagnostics import Label, Subject
-from jktools.facts.hotspots import Hotspot, Runner
+from jktools.facts import LevelFacts
+from jktools.facts.hotspots import Hotspot, Runner, frequency
+from jktools.model import Cog, Template, Thing
 
 
 def place_of(runner: Runner) -> Label:
-    """The line that makes a script run."""
-    return Label(runner.cog.head_span if runner.cog is not None else runner.things[0].head_span)
+    """The line that makes a script run; for one that the game's own files make run, the script."""
+    owner = _owner(runner)
+    return runner.script.label(runner.script.script.code) if owner is None else Label(owner.head_span)
 
 
-def subject_of(runner: Runner) -> Subject:
+def subject_of(runner: Runner) -> Subject | None:
     """What a finding about a script is about."""
-    return runner.cog.subject if runner.cog is not None else runner.things[0].subject
+    owner = _owner(runner)
+    return None if owner is None else owner.subject
+
+
+def _owner(runner: Runner) -> Cog | Thing | Template | None:
+    if runner.cog is not None:
+        return runner.cog
+    if runner.things:
+        return runner.things[0]
+    return None if runner.template is None else runner.template.owner
+
+
+def ours(facts: LevelFacts) -> list[Hotspot]:
+    """The hotspots that the level's maker can mend: those of scripts that come with the level."""
+    return [spot for spot in facts.hotspots if facts.is_own_script(spot.runner.name)]
 
 
 def call_label(spot: Hotspot) -> Label:
     """The call, with its share."""
-    calls = spot.calls_per_second
-    often = "any number of times" if calls == float("inf") else f"{calls:.6g} times"
     cost = spot.cost
+    often = frequency(spot.calls_per_second, spot.more, spot.causes)
     return spot.runner.script.label(
         spot.site.call,
-        f"{often} a second, {cost.mean_surfaces:.6g} surfaces in {cost.mean_sectors:.6g} sectors on the mean, "
+        f"{often}; {cost.mean_surfaces:.6g} surfaces in {cost.mean_sectors:.6g} sectors on the mean, "
         f"{cost.most_surfaces} at most",
     )

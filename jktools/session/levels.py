@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from typing import Literal, get_args
+from typing import get_args
 
 from jktools.compiler import CompileSettings, compile_level
-from jktools.geometry import SectorMesh
+from jktools.geometry import Accuracy, SectorMesh
 from jktools.model import Level
 from jktools.model.resources import Kind, Library
 from jktools.session.settings import Game, Settings
@@ -27,7 +27,6 @@ LEVELS = (LEVEL_EXTENSION, LIBRARY_EXTENSION)
 
 _KINDS = {LEVEL_EXTENSION: "a .jkl level", LIBRARY_EXTENSION: "a .tpl library", SCRIPT_EXTENSION: "a .cog script"}
 
-Accuracy = Literal["balanced", "exact"]
 ACCURACIES: tuple[Accuracy, ...] = get_args(Accuracy)
 
 
@@ -111,12 +110,13 @@ def build(
 ) -> bytes:
     """Compile a level, as `jktools build` does, and give the bytes of the file.
 
-    `accuracy` is that of visibility; all else that the file holds is the same at either. `cut_anyway` leaves out
-    templates that nothing is known to reach, though COGs are missing that might tell otherwise. Raises CompileError
-    for a level that the engine would refuse, ValueError for another accuracy.
+    `accuracy` is `fast`, `balanced` or `exact`: that of what is computed; `fast` also moves vertices onto a grid
+    (docs/format.md tells how far). `cut_anyway` leaves out templates that nothing is known to reach, though COGs are
+    missing that might tell otherwise. Raises CompileError for a level that the engine would refuse, ValueError for
+    another accuracy.
     """
     if accuracy not in ACCURACIES:
-        raise ValueError(f"accuracy is {accuracy!r}, but can be {' or '.join(ACCURACIES)}")
+        raise ValueError(f"accuracy is {accuracy!r}, but can be {', '.join(ACCURACIES)}")
     return compile_level(level, CompileSettings(engine, accuracy, cut_anyway=cut_anyway))
 
 

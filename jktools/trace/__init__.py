@@ -23,9 +23,11 @@ def trace(
     """Simulate a body under a script's text (see `trace.script`) from rest at the origin, at `fps` frames a second.
 
     `scheme` None is the profile's own. Raises ScriptError for a line that makes no sense and NotStatedError for
-    what the profile does not say.
+    what the profile does not say, ValueError for a sector's thrust.
     """
     read = parse(script)
+    if any(phase.sector_thrust for phase in read.phases):
+        raise ValueError("sector-thrust is for a level: floors given by numbers have no sectors")
     simulation = Simulation(body, read.ground, engine=engine, scheme=scheme)
     simulation.rest_on_ground()
     return simulate(simulation, read.phases, read.seconds, 1 / fps)

@@ -11,12 +11,13 @@ from jktools.engine import orientation
 from jktools.engine.arrays import Float64
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
-from jktools.engine.flags import SurfaceFlag
+from jktools.engine.flags import PhysicsFlag, SurfaceFlag
 from jktools.engine.ground import Steps, Vector
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
 from jktools.engine.simulation import History, Simulation, World, simulate
 from jktools.engine.thrust import Keys
+from jktools.facts.bodies import hovering_body
 from jktools.geometry.collision import Collision
 from jktools.model import Level
 from jktools.trace.level_ground import LevelGround
@@ -34,7 +35,7 @@ class Start(NamedTuple):
 class LevelSimulation(Simulation):
     """A body in a level: its sector's flags act on it, and its thrust points where it looks.
 
-    Gravity is the level's. A sector's thrust vector is not in a JKL (COGs set it) and stays 0.
+    Gravity is the level's. A sector's thrust vector is not in a JKL (COGs set it): it is 0 until a phase gives one.
     """
 
     def __init__(
@@ -52,6 +53,10 @@ class LevelSimulation(Simulation):
         near = self.ground.floor_below(self._place(), 2 * self.hover_height(), 0.0, int(SurfaceFlag.COLLISION))
         if near is not None:
             super().rest_on_ground()
+
+    def launch(self, velocity: Vector) -> None:
+        """Give the body a velocity, JKU/s in the frame of its look: x right, y forward, z up."""
+        self.velocity = self.look @ np.array(velocity, np.float64)
 
     def tick(self, keys: Keys, dt: float, *, jumps: bool = False) -> tuple[Float64, list[tuple[Event, float]]]:
         """Advance by `dt` seconds under the flags of the sector in which the body is (see `Simulation.tick`)."""
@@ -85,6 +90,25 @@ def trace_in_level(
     simulation = LevelSimulation(level, start, body, engine, scheme)
     simulation.rest_on_ground()
     return simulate(simulation, read.phases, read.seconds, 1 / fps)
+
+
+def body_named(level: Level, name: str) -> Body:
+    """The body of a template of the level, with the insert offset of its model.
+
+    Raises ValueError for a template that the level does not have, that does not move by physics, or whose model, which
+    would tell how high it hovers over floors, is not at hand.
+    """
+    held = level.resolved_templates.get(name)
+    if held is None:
+        raise ValueError(f"the level has no template {name}")
+    if held.dropped is not None:
+        raise ValueError(f"template {name} is not in play: {held.dropped}")
+    if held.move != "physics":
+        raise ValueError(f"template {name} does not move by physics, but move={held.move}")
+    body, hovers = hovering_body(level, held)
+    if not hovers and body.physflags & PhysicsFlag.FLOOR_STICK:
+        raise ValueError(f"template {name} hovers over floors by its model {held.name_in('model3d')}, not at hand")
+    return body
 
 
 def start_at(level: Level, place: str) -> Start:

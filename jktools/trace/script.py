@@ -6,6 +6,8 @@
     2.5  crouch              and stand; they, jump and surface leave the direction as it is
     3    jump
     4    surface non-floor   every floor becomes this
+    4    velocity 0 1 0      JKU/s to the right, forward and up, at once: what SetThingVel does
+    4    sector-thrust 0 0 8 JKU/s^2 along the level's x, y, z in its sectors with thrust: what SetSectorThrust does
     5    release             all keys but crouch
     6    end                 where the trace ends; # starts a comment
 
@@ -87,6 +89,15 @@ class _Reader:
                 raise ScriptError("surface takes one name")
             self.treads = [tread._replace(surface=_surface(rest[0])) for tread in self.floors()]
             ground = Steps(tuple(self.treads))
+        elif action in ("velocity", "sector-thrust"):
+            if len(rest) != 3:
+                raise ScriptError(f"{action} takes three numbers")
+            vector = (_number(rest[0]), _number(rest[1]), _number(rest[2]))
+            blank = Phase(time, self.keys)
+            self.phases.append(
+                blank._replace(velocity=vector) if action == "velocity" else blank._replace(sector_thrust=vector)
+            )
+            return
         elif rest:
             raise ScriptError(f"{action} takes no {rest[0]}")
         elif action in ("crouch", "stand"):
@@ -104,7 +115,7 @@ class _Reader:
         return self.treads or [Tread(0.0, 0.0)]
 
 
-_PLAIN = ("release", "crouch", "stand", "jump", "surface", "end")
+_PLAIN = ("release", "crouch", "stand", "jump", "surface", "velocity", "sector-thrust", "end")
 
 
 def parse(text: str) -> Script:

@@ -19,8 +19,9 @@ def test_the_calls_of_the_readme(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     data = jktools.build(level)
     assert data[4:8] == b"JKLB"
     assert jktools.CompiledLevel(jktools.build(level, accuracy="exact")).settings["accuracy"] == "exact"
-    with pytest.raises(ValueError, match="accuracy is 'fast', but can be balanced or exact"):
-        jktools.build(level, accuracy="fast")
+    assert jktools.CompiledLevel(jktools.build(level, accuracy="fast")).settings["accuracy"] == "fast"
+    with pytest.raises(ValueError, match="accuracy is 'best', but can be fast, balanced, exact"):
+        jktools.build(level, accuracy="best")  # type: ignore[arg-type]
     mesh = jktools.mesh(level)
     assert mesh.locate([[0.5, 0.5, 0.5], [0.5, 1.5, 0.5], [9, 9, 9]]).tolist() == [0, 1, -1]
 

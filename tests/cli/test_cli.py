@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -123,12 +124,51 @@ def test_build_and_inspect(here: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert "skipped, it has no GEORESOURCE" in shown.err
     assert main(["inspect", "out/rooms.jklb", "--json", "--verify"]) == 0
     report = json.loads(capsys.readouterr().out)
-    assert set(report) == {"format", "level", "settings", "sections", "counts", "passes", "omissions"}
+    jsonschema.validate(report, json.loads((ROOT / "docs/inspect.schema.json").read_text()))
+    assert report["grid"] is None
+    sizes = [section["bytes"] for section in report["sections"].values()]
+    assert (
+        sum(sizes) + sum(report["rest"].values())
+        == report["level"]["bytes"]
+        == (here / "out/rooms.jklb").stat().st_size
+    )
     assert report["counts"]["vertices"] == 12
     assert report["level"]["inputs"][0]["path"] == "jkl/Rooms.jkl"
     assert [p.name for p in (here / "out").iterdir()] == ["rooms.jklb"]
     compiled = jktools.open_compiled("out/rooms.jklb", verify=True)
     assert compiled.vertices.shape == (12, 3)
+
+
+def test_the_seconds_of_each_pass_are_told(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("one", "two"):
+        (here / f"{name}.jkl").write_text(TWO_ROOMS)
+    assert main(["build", "one.jkl", "-o", "plain"]) == 0
+    assert len(capsys.readouterr().out.splitlines()) == 1
+    for jobs in ("1", "2"):
+        assert main(["build", "one.jkl", "two.jkl", "-o", "out", "-v", "--jobs", jobs, "--skip", "motion"]) == 0
+        first, passes, _, _, total = capsys.readouterr().out.splitlines()
+        assert first.startswith("one.jkl -> ")
+        assert total.startswith("2 levels: ")
+        steps = dict(re.findall(r"([a-z_]+) (\d+\.\d{3})", passes.partition(":")[2]))
+        ran = [name for name, each in jktools.open_compiled("out/one.jklb").passes.items() if each["ran"]]
+        assert {"read", "write", "visibility", *ran} <= set(steps)
+        assert "motion" not in steps
+        whole = float(passes.strip().partition(" s: ")[0])
+        assert whole == pytest.approx(sum(map(float, steps.values())), abs=0.02)
+    assert (here / "plain/one.jklb").read_bytes() != (here / "out/one.jklb").read_bytes()
+
+
+def test_the_step_of_the_grid_is_printed(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["build", "rooms.jkl", "-o", "out", "--accuracy", "fast"]) == 0
+    assert "bytes, vertices in steps of 1/16384 JKU)" in capsys.readouterr().out
+    assert main(["inspect", "out/rooms.jklb", "--columns"]) == 0
+    shown = capsys.readouterr().out
+    assert "  vertices: in steps of 1/16384 JKU, moved by at most 1/32768 on each axis\n" in shown
+    assert re.search(r"      vertices +72  int16 steps of 1/16384: 12\n", shown)
+    assert main(["inspect", "out/rooms.jklb", "--json"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    jsonschema.validate(report, json.loads((ROOT / "docs/inspect.schema.json").read_text()))
+    assert report["grid"] == {"step": 1 / 16384, "moved_at_most": 1 / 32768}
 
 
 def test_clashing_names_go_into_a_folder_a_pack(here: Path) -> None:

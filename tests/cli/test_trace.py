@@ -52,9 +52,28 @@ def test_runs_in_a_level(here: Path, level_file: Path, capsys: pytest.CaptureFix
     assert place == pytest.approx([0.5, 1.935, 0.120114], abs=1e-9) and out.err == ""
 
 
+def test_runs_with_the_body_of_a_template(here: Path, level_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A wider body stops earlier, and hovers at its own height."""
+    text = level_file.read_text("latin-1")
+    line = "walkplayer none type=player"
+    assert line in text
+    wide = "wide none type=actor move=physics size=.25 height=.5 maxthrust=2 surfdrag=3 physflags=0x42"
+    level_file.write_text(
+        text.replace("World templates 3", "World templates 4").replace(line, f"{wide}\n{line}"), "latin-1"
+    )
+    (here / "run.txt").write_text("0 run forward\n4 end\n")
+    assert main(["trace", "run", "run.txt", "--level", level_file.name, "--at", ".5,.5,.5,0", "--body", "Wide"]) == 0
+    header, *_, last = (line.split(",") for line in capsys.readouterr().out.splitlines())
+    row = dict(zip(header, last, strict=True))
+    assert [float(row[f"position_{axis}"]) for axis in "xyz"] == pytest.approx([0.5, 1.75, 0.5], abs=1e-9)
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
+        ("run walk.txt --body walkplayer", "--body names a template of --level"),
+        ("run walk.txt --level rooms.jkl --at 0 --body nobody", "rooms.jkl: the level has no template nobody"),
+        ("run walk.txt --level rooms.jkl --at 0 --body ghost", "template ghost does not move by physics"),
         ("run walk.txt --level rooms.jkl", "--level and --at go together"),
         ("run walk.txt --at 0", "--level and --at go together"),
         ("run walk.txt --level none.jkl --at 0", "cannot read none.jkl"),

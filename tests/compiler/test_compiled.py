@@ -4,6 +4,7 @@ import hashlib
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from hypothesis import strategies as st
 from jktools.compiler import CompiledFileError, CompiledLevel, CompileError, compile_level, open_compiled
 from jktools.compiler.columns import SECTIONS, STRINGS
 from jktools.facts import LevelFacts
+from jktools.model import Level
 from tests.support.levels import ROOT, TWO_ROOMS, level_of, two_rooms
 
 COMPILED = compile_level(level_of(TWO_ROOMS))
@@ -30,9 +32,9 @@ def test_what_was_written_is_read_back() -> None:
     assert compiled.things.position.tolist() == level.document.things.position.tolist()
     assert [compiled.strings[i] for i in compiled.things.template] == ["walkplayer", "ghost"]
     assert compiled.templates is not None
-    start = compiled.templates.parameter_start
-    keys = [compiled.strings[i] for i in compiled.templates.parameter_key[start[0] : start[1]]]
-    assert keys == ["type", "move", "size", "physflags"]
+    start = compiled.templates.value_start
+    keys = [compiled.strings[i] for i in compiled.templates.value_key[start[0] : start[1]]]
+    assert keys == ["type", "move", "size", "movesize", "physflags"]
     assert compiled.cogs is not None
     assert [compiled.strings[i] for i in compiled.cogs.value] == ["3", "-1", "wind.wav"]
     assert compiled.inputs == [("test.jkl", hashlib.sha256(TWO_ROOMS.encode()).hexdigest())]
@@ -45,11 +47,14 @@ def test_arrays_are_read_only_views_of_the_file_on_eight_bytes(tmp_path: Path) -
     compiled = open_compiled(path, verify=True)
     whole = np.frombuffer(compiled.data, np.uint8)
     for section in compiled.sections.values():
-        for name, values in section.columns.items():
-            assert not values.flags.writeable, name
-            if len(values):
+        for name, stored in section.stored.items():
+            assert not getattr(section, name).flags.writeable, name
+            for values in stored.vectors:
+                assert not values.flags.writeable, name
                 assert np.shares_memory(values, whole), name
                 assert values.__array_interface__["data"][0] % 8 == 0, name
+    for name in ("vertices", "texture_vertices", "surface_normal"):
+        assert np.shares_memory(getattr(compiled, name), whole), name
 
 
 def test_the_same_input_gives_the_same_bytes_whatever_the_hash_seed(level_file: Path) -> None:
@@ -116,7 +121,7 @@ def test_a_newer_major_version_is_refused() -> None:
     newer = bytearray(COMPILED)
     at = CompiledLevel(COMPILED)._root._tab
     newer[at.Offset(4) + at.Pos] = 2
-    with pytest.raises(CompiledFileError, match=r"format version 2\.1, but this jktools reads 1\.x"):
+    with pytest.raises(CompiledFileError, match=r"format version 2\.2, but this jktools reads 1\.x"):
         CompiledLevel(bytes(newer))
 
 
@@ -189,3 +194,52 @@ def test_a_file_of_format_1_0_is_read() -> None:
     assert [old.strings[i] for i in old.templates.name] == ["walkplayer", "ghost", "crate"]
     assert not hasattr(old.templates, "value_key")
     assert old.omissions == []
+
+
+def test_a_file_of_format_1_1_is_read() -> None:
+    """Written by commit 8462e37, the last of format 1.1, from tests/data/two_rooms.jkl; it says what today's says."""
+    old = CompiledLevel((ROOT / "tests/data/two_rooms_1_1.jklb").read_bytes(), verify=True)
+    new = CompiledLevel(COMPILED)
+    assert old.format == "1.1"
+    assert set(old.sections) == set(new.sections)
+    for section, columns in SECTIONS.items():
+        texts = [name for name, column in columns.items() if column.index_of == STRINGS]
+        for name in (name for name, column in columns.items() if column.since < 2 and section in old.sections):
+            if name.startswith("parameter_") and section == "templates":
+                continue
+            ours, theirs = (getattr(level.sections[section], name) for level in (new, old))
+            assert ours.dtype == theirs.dtype, name
+            if name in texts:
+                told = [
+                    [None if i < 0 else level.strings[i] for i in each] for level, each in ((new, ours), (old, theirs))
+                ]
+                assert told[0] == told[1], name
+            else:
+                assert ours.tobytes() == theirs.tobytes(), name
+    assert old.templates is not None
+    assert [old.strings[i] for i in old.templates.parameter_value[:4]] == ["player", "physics", ".065", "0x4a4f"]
+    assert not hasattr(old.templates, "value_list")
+
+
+def test_parameters_that_a_value_tells_are_not_repeated() -> None:
+    text = two_rooms("World templates 4", "door none type=cog size=.5 size=.7 colour=red move=path surfdrag=3")
+    compiled = CompiledLevel(compile_level(level_of(text)))
+    templates = compiled.templates
+    assert templates is not None
+    at = [compiled.strings[i] for i in templates.name].index("door")
+    rows = slice(templates.unused_start[at], templates.unused_start[at + 1])
+    unused = [
+        (compiled.strings[k], compiled.strings[v])
+        for k, v in zip(templates.unused_key[rows], templates.unused_value[rows], strict=True)
+    ]
+    assert unused == [("size", ".5"), ("colour", "red"), ("surfdrag", "3")]
+
+
+def test_a_column_of_nothing_is_read_before_the_one_that_counts_it() -> None:
+    """`surface_material` stands before `surface_flags` in the file."""
+    level = level_of(TWO_ROOMS)
+    surfaces = level.document.surfaces
+    bare = replace(level.document, surfaces=replace(surfaces, material=np.full_like(surfaces.material, -1)))
+    compiled = CompiledLevel(compile_level(Level(bare)))
+    assert not compiled.geometry.stored["surface_material"].in_file
+    assert compiled.surface_material.tolist() == [-1] * 12

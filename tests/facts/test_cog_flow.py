@@ -139,6 +139,12 @@ def test_a_jump_leads_to_the_label_that_it_names_and_on_through_those_below() ->
         ("while (Rand() < 0.5) Print(1);", math.inf, 0),
         ("while (1) { Print(1); Sleep(0.25); }", 1, 4),
         ("while (1) { Print(1); Sleep(0); }", 1, 10),
+        ("while (1) { Print(1); Sleep(0.001); }", 1, 50),  # a script wakes once a frame
+        ("while (1) { Print(1); Sleep(0.5); Sleep(0.5); }", 1, 1),
+        ("while (1) { Print(1); call nap; }", 1, 4),
+        ("while (1) { Print(1); call maybe; }", math.inf, 0),
+        ("while (1) { Print(1); call nap; call maybe; Sleep(0.75); }", 1, 1),
+        ("while (1) { Print(1); if (Rand() < 0.5) { call nap; } else Sleep(1); }", 1, 4),
         ("while (1) { Print(1); if (Rand() < 0.5) Sleep(1); }", math.inf, 0),
         ("for (i = 0; i < 10; i = i) Print(1);", math.inf, 0),
         ("for (i = 0; i < 10; i = i + 1) { Print(1); i = 0; }", math.inf, 0),
@@ -147,7 +153,7 @@ def test_a_jump_leads_to_the_label_that_it_names_and_on_through_those_below() ->
         ("again: Print(1); if (Rand() < 0.5) goto again;", math.inf, 0),
         ("call twice; call twice;", 2, 0),
         ("call deep;", 4, 0),  # no more than 4 calls are open at a time
-        ("while (1) { Print(1); Sleep(Rand()); }", math.inf, 0),
+        ("while (1) { Print(1); Sleep(Rand()); }", 1, 50),
         ("i = 0; while (i < 10) { Print(1); if (Rand() < 0.5) i = i + 1; }", math.inf, 0),
         ("i = 0; while (i < 10) { Print(1); k[Rand()] = i + 1; }", math.inf, 0),
     ],
@@ -157,6 +163,9 @@ def test_loops(loop: str, per_run: float, per_second: float) -> None:
         f"startup: {loop} return;",
         "twice: Print(1); return;",
         "deep: Print(1); call deep; return;",
+        "nap: if (Rand() < 0.5) Sleep(2); else { Sleep(0.125); call rest; } return;",
+        "rest: Sleep(0.125); return;",
+        "maybe: if (Rand() < 0.5) return; Sleep(2); return;",
         symbols=("int i local", "int k local"),
     )
     passes = [each.rates.repeats_of("startup", s) for s in each.rates.sites if s.verb.name == "print"]

@@ -9,13 +9,14 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import pytest
 
 from jktools.facts import LevelFacts
 from jktools.facts.hotspots import Hotspot, Verdict
 from jktools.session import discover, load
-from tests.support.levels import CORPUS, level_with_files
+from tests.support.levels import CORPUS, level_with_files, two_rooms
 from tests.support.scripts import corpus_scripts
 
 PLAYER = "0: walkplayer walkplayer .5 .5 .2 0 0 0 0"
@@ -85,7 +86,7 @@ def test_what_another_template_creates_is_told() -> None:
     lines = [*created, "World things 90", PLAYER, *things(2), "40: box box .5 .5 .5 0 0 0 0", "== cog/lamp.cog"]
     (found,) = hotspots(*lines, *SWING_LAMP)
     assert found.runner.more
-    assert found.runner.title == "class cog lamp.cog on 2 things and what is created"
+    assert found.runner.title == "class cog lamp.cog on 2 things and others"
 
 
 def view_loop(distance: str = "10") -> list[str]:
@@ -168,7 +169,7 @@ def test_a_flood_goes_on_while_the_adjoins_are_near(distance: str, sectors: int,
 
 
 def looking(*body: str, symbols: Sequence[str] = ("thing a", "thing b")) -> list[str]:
-    messages = [f"message {name}" for name in ("startup", "pulse", "timer", "activated")]
+    messages = [f"message {name}" for name in ("startup", "pulse", "timer", "activated", "trigger")]
     return ["symbols", *messages, *symbols, "end", "code", *body, "end"]
 
 
@@ -187,6 +188,47 @@ LOOK = 'if (HasLOS(a, b) == 1) Print("seen");'
     (["startup: SetTimerEx(0.5, 1, 0, 0); return;", f"timer: {LOOK} SetTimerEx(0.25, 1, 0, 0); return;"], 4),
     (["activated: SetPulse(0.5); return;", f"pulse: {LOOK} return;"], 2),
     ([f"activated: {LOOK} return;"], 0),
+    # A script wakes in a later frame: one turn a frame at most.
+    (["startup:", "while (1) {", LOOK, "Sleep(0.001);", "}", "return;"], 50),
+    # A flex of 0.7 is a little less, and the clock cuts it to 699 ms.
+    (["startup: SetPulse(0.7); return;", f"pulse: {LOOK} return;"], 1 / 0.699),
+    # The label that is called sleeps 0.2 s, whichever way.
+    (["startup:", "while (1) {", LOOK, "call nap;", "}", "return;",
+      "nap: if (Rand() < 0.5) Sleep(1); else { Sleep(0.1); Sleep(0.1); } return;"], 5),
+    # What sleeps on one way only may turn for ever without.
+    (["startup:", "while (1) {", LOOK, "call nap;", "}", "return;",
+      "nap: if (Rand() < 0.5) Sleep(1); return;"], math.inf),
+    (["startup:", "while (1) {", LOOK, "}", "return;"], math.inf),
+    # Each pulse turns itself off: one for each time that it is set.
+    (["startup: SetPulse(0.01); return;", f"pulse: {LOOK} SetPulse(0); return;"], 0),
+    (["startup: SetPulse(0.01); return;",
+      f"pulse: if (Rand() < 0.5) SetPulse(0); else SetPulse(-1); {LOOK} return;"], 0),
+    (["startup: SetTimer(0.5); return;", "timer: SetPulse(0.01); SetTimer(0.5); return;",
+      f"pulse: {LOOK} SetPulse(0); return;"], 2),
+    # Not on every way, not before the script waits, or only until it is set again.
+    (["startup: SetPulse(0.1); return;", f"pulse: {LOOK} if (Rand() < 0.5) SetPulse(0); return;"], 10),
+    (["startup: SetPulse(0.1); return;", f"pulse: {LOOK} Sleep(1); SetPulse(0); return;"], 10),
+    (["startup: SetPulse(0.1); return;", f"pulse: {LOOK} SetPulse(0); SetPulse(0.1); return;"], 10),
+    (["startup: SetPulse(0.1); return;", f"pulse: {LOOK} call off; return;", "off: SetPulse(0); return;"], 10),
+    # Messages to itself, in and out of loops.
+    (["startup: SetPulse(0.5); return;", "pulse: SendMessage(GetSelfCog(), activated); return;",
+      f"activated: {LOOK} return;"], 2),
+    (["startup: SetPulse(0.5); return;", "pulse: SendMessage(GetSelfCog(), activated); return;",
+      f"activated: {LOOK} SetPulse(0.5); return;"], 2),
+    (["startup: SetPulse(0.5); return;",
+      "pulse: for (i = 0; i < 3; i = i + 1) SendMessageEx(GetSelfCog(), activated, 0, 0, 0, 0); return;",
+      f"activated: {LOOK} return;"], 6),
+    ([f"activated: {LOOK} SendMessage(GetSelfCog(), activated); return;"], math.inf),
+    (["startup: SetPulse(1); return;", "pulse: SendTrigger(-1, 0, 0, 0, 0, 0); return;",
+      f"trigger: {LOOK} return;"], 1),
+    # Two timers that wait at a time go on beside each other.
+    (["startup: SetTimerEx(0.5, 1, 0, 0); SetTimerEx(0.5, 2, 0, 0); return;",
+      f"timer: {LOOK} SetTimerEx(0.25, 1, 0, 0); return;"], 8),
+    (["startup: SetTimerEx(0.5, 1, 0, 0); return;",
+      f"timer: {LOOK} if (Rand() < 0.5) SetTimerEx(0.25, 1, 0, 0); else SetTimerEx(1, 1, 0, 0); return;"], 4),
+    # Each brings two more: as many as the engine has room for.
+    (["startup: SetTimerEx(0.5, 1, 0, 0); return;",
+      f"timer: {LOOK} SetTimerEx(0.25, 1, 0, 0); SetTimerEx(0.5, 1, 0, 0); return;"], 256 * 4),
     (["startup: SetPulse(0.5); return;", "pulse: SetPulse(0); return;", f"activated: {LOOK} return;"], 0),
     ([f"pulse: {LOOK} SetPulse(0.5); return;", "startup: return;"], 0),
 ])  # fmt: skip
@@ -230,40 +272,183 @@ def test_a_captured_thing_sends_its_pulses(capture: str, calls: float) -> None:
     assert found.calls_per_second == pytest.approx(calls)
 
 
+def test_flags_can_arm_a_pulse() -> None:
+    script = looking(f"pulse: {LOOK} return;")
+    assert [h.calls_per_second for h in hotspots(*placed_cog("20 21", "flags=0x40", *script))] == [0]
+    assert [h.calls_per_second for h in hotspots(*placed_cog("20 21", "flags=0x44", *script))] == [50]
+
+
+def test_a_lamp_that_turns_its_pulse_off_looks_once() -> None:
+    def lamps(off: str) -> Hotspot:
+        lines = [f"{off} {line}" if "HasLOS" in line else line for line in SWING_LAMP]
+        symbols = [line if line != "message pulse" else "message pulse\nthing me local" for line in lines]
+        (found,) = hotspots(*class_cog("\n".join(symbols).split("\n"), *things(60)))
+        return found
+
+    assert lamps("").calls_per_second == pytest.approx(600)
+    assert lamps("SetThingPulse(GetSenderRef(), 0);").calls_per_second == 0
+    assert lamps("me = GetSenderRef(); SetThingPulse(me, 0);").calls_per_second == 0
+    # Only that of lamp 10; and below 0 it comes every frame.
+    assert lamps("SetThingPulse(10, 0);").calls_per_second == pytest.approx(590)
+    assert lamps("SetThingPulse(GetSenderRef(), -1);").calls_per_second == pytest.approx(60 * 50)
+
+
+def two_scripts(
+    first: Sequence[str], second: Sequence[str], values: str = "1", symbol: str = "cog other"
+) -> list[Hotspot]:
+    head = ["symbols", *(f"message {m}" for m in ("startup", "pulse", "timer", "activated", "user0", "user1"))]
+    return hotspots(
+        "World templates 4", "mark none type=ghost", "World things 90", "20: mark mark .5 .5 .5 0 0 0 0",
+        "21: mark mark .5 1.5 .5 0 0 0 1", "World cogs 2", f"0: first.cog {values}", "1: second.cog 20 21",
+        "== cog/first.cog", *head, symbol, "int i local", "end", "code", *first, "end",
+        "== cog/second.cog", *head, "thing a", "thing b", "cog back=0 local", "end", "code", *second, "end",
+    )  # fmt: skip
+
+
+ASKED = [f"user0: {LOOK} return;", "user1: return;"]
+
+
+def test_messages_are_followed_to_the_cog_that_a_value_names() -> None:
+    tick = ["startup: SetPulse(0.1); return;", "pulse: SendMessage(other, user0); return;"]
+    (found,) = two_scripts(tick, ASKED)
+    assert (found.calls_per_second, found.more) == (pytest.approx(10), False)
+    # To itself, which does not answer; to nobody; another message.
+    assert [h.calls_per_second for h in two_scripts(tick, ASKED, "0")] == [0]
+    assert [h.calls_per_second for h in two_scripts(tick, ASKED, "-1")] == [0]
+    wrong = [line.replace("user0", "user1") for line in tick]
+    assert [(h.calls_per_second, h.more) for h in two_scripts(wrong, ASKED)] == [(0, False)]
+
+
+def test_messages_of_one_script_wake_loops_of_another() -> None:
+    tick = ["startup: SetPulse(0.5); return;", "pulse: SendMessage(other, user1); return;"]
+    loop = ["startup: while (1) {", LOOK, "Sleep(0.25);", "} return;", "user1: Sleep(1); return;"]
+    # 4 turns a second, and one more for each message that finds the script asleep.
+    assert [h.calls_per_second for h in two_scripts(tick, loop)] == pytest.approx([4 + 2])
+
+
+@pytest.mark.parametrize("target", ["GetSenderRef()", "GetMasterCog()", "GetThingClassCog(20)"])
+def test_messages_to_a_cog_that_is_not_known_are_told(target: str) -> None:
+    tick = ["startup: SetPulse(0.1); return;", f"pulse: SendMessage({target}, user0); return;"]
+    (found,) = two_scripts(tick, ASKED)
+    assert found.more
+    assert [h.more for h in two_scripts([line.replace("user0", "user1") for line in tick], ASKED)] == [False]
+
+
+def test_what_is_not_known_is_passed_on() -> None:
+    """The first script is woken by a message to nobody knows whom, and what it asks of the second is open too."""
+    open_ = ["startup: SetPulse(1); return;", "pulse: SendMessage(GetMasterCog(), user1); return;"]
+    ask = ["user1: SendMessage(other, user0); return;"]
+    (found,) = two_scripts([*open_, *ask], ASKED)
+    assert found.more
+    # A pulse that it sets comes once an interval all the same.
+    paced = ["user1: SetPulse(0.5); return;", "pulse: SendMessage(other, user0); SendMessage(GetMasterCog(), user1);",
+             "return;"]  # fmt: skip
+    (bounded,) = two_scripts(paced, ASKED)
+    assert (bounded.more, bounded.calls_per_second) == (False, 2)
+
+
+def test_a_list_of_things_in_view_that_others_can_begin_anew_is_told() -> None:
+    def more(*others: str) -> bool:
+        walking = walk("if (HasLOS(turret, victim) == 1) DamageThing(victim, 1, 1, turret);")
+        at = walking.index("end") + 2
+        script = [*walking[:1], "message damaged", *walking[1:at], *others, *walking[at:]]
+        return next(h.more for h in guarded(3, *script) if h.site.verb.name == "haslos")
+
+    assert not more()
+    assert not more('damaged: Print("ow"); return;')
+    assert more("damaged: FirstThingInView(turret, 90, 10, 0x404); return;")
+
+
+def test_what_a_class_cog_captures_sends_it_pulses() -> None:
+    lines = ["symbols", "message created", "message pulse", "end", "code",
+             "created: CaptureThing(40); SetThingPulse(40, 0.5); return;",
+             'pulse: if (HasLOS(GetSenderRef(), GetLocalPlayerThing()) == 1) Print("x"); return;', "end"]  # fmt: skip
+    (found,) = hotspots(*class_cog(lines, *things(1), "40: walkplayer walkplayer .2 .5 .5 0 0 0 0"))
+    assert (found.calls_per_second, found.more) == (2, False)
+    anything = [line.replace("CaptureThing(40)", "CaptureThing(GetSourceRef())") for line in lines]
+    (found,) = hotspots(*class_cog(anything, *things(1), "40: walkplayer walkplayer .2 .5 .5 0 0 0 0"))
+    assert found.more
+
+
+def test_what_the_player_causes_is_named() -> None:
+    ask = ["activated: SendMessage(other, user0); return;"]
+    (found,) = two_scripts(ask, ASKED)
+    assert (found.calls_per_second, found.causes) == (0, ("activated of cog 0 (first.cog)", "user0"))
+    (alone,) = hotspots(*placed_cog("20 21", *looking(f"activated: {LOOK} return;")))
+    assert alone.causes == ("activated",)
+    # A pulse that it starts lasts: more of the same starts no more of it.
+    (pulse,) = hotspots(*placed_cog("20 21", *looking("activated: SetPulse(1); return;", f"pulse: {LOOK} return;")))
+    assert (pulse.causes, pulse.calls_per_second) == ((), 1)
+
+
+@pytest.mark.parametrize("how", [
+    "box none type=actor explode=lamp", "box none type=weapon creatething=lamp", "box none type=actor weapon=lamp",
+])  # fmt: skip
+def test_a_class_cog_of_things_to_come_is_listed(how: str) -> None:
+    templates = ["World templates 5", "lamp none type=cog cog=lamp.cog", how]
+    (found,) = hotspots(
+        *templates, "World things 90", PLAYER, "40: box box .5 .5 .5 0 0 0 0", "== cog/lamp.cog", *SWING_LAMP
+    )
+    assert (found.runner.title, found.more) == ("class cog lamp.cog on 0 things and others", True)
+    assert found.calls_per_second == 0
+
+
+def test_a_class_cog_that_a_script_creates_is_listed_and_one_that_nothing_creates_is_not() -> None:
+    def level(code: str) -> list[Hotspot]:
+        return hotspots(
+            "World templates 5", "lamp none type=cog cog=lamp.cog", "mark none type=ghost", "World things 90", PLAYER,
+            "20: mark mark .5 .5 .5 0 0 0 0", "World cogs 1", "0: make.cog 20",
+            "== cog/make.cog", "symbols", "message activated", "thing a", "template t=lamp local", "end", "code",
+            f"activated: {code} return;", "end", "== cog/lamp.cog", *SWING_LAMP,
+        )  # fmt: skip
+
+    for code in ("CreateThing(t, a);", 'CreateThing(LoadTemplate("lamp"), a);'):
+        assert [h.runner.title for h in level(code)] == ["class cog lamp.cog on 0 things and others"]
+    (plain,) = hotspots(*class_cog(SWING_LAMP, *things(2)))
+    assert not plain.more
+    unmade = ["World templates 4", "lamp none type=cog cog=lamp.cog", "World things 90", PLAYER]
+    assert hotspots(*unmade, "== cog/lamp.cog", *SWING_LAMP) == []
+
+
+def test_a_thing_that_two_symbols_name_sends_its_pulses_twice() -> None:
+    body = ["startup: SetThingPulse(lamp, 0.2); return;", f"pulse: {LOOK} return;"]
+    script = looking(
+        *body, symbols=("thing lamp mask=0x405", "thing twin mask=0x405", "thing a nolink", "thing b nolink")
+    )
+    more = ["30: mark mark .2 .5 .5 0 0 0 0"]
+    (found,) = hotspots(*placed_cog("30 30 20 21", *script, more=more))
+    assert found.calls_per_second == pytest.approx(10)
+
+
+def test_the_games_own_scripts_are_listed_where_they_are_at_hand(tmp_path: Path) -> None:
+    level, game = tmp_path / "mod/jkl/test.jkl", tmp_path / "game"
+    for folder in (level.parent, game / "jkl", game / "cog", game / "misc"):
+        folder.mkdir(parents=True)
+    fragment = ["World templates 4", "lamp none type=cog cog=lamp.cog", "World things 90", PLAYER, *things(1)]
+    level.write_text(two_rooms(*fragment))
+    static = [
+        "SECTION: JK", "SECTION: COGSCRIPTS", "World scripts 1", "0: watch.cog", "end", "SECTION: COGS", "World cogs 1",
+        "0: watch.cog 0.5", "end", "SECTION: TEMPLATES", "World templates 1", "torch none type=cog cog=torch.cog",
+        "end",
+    ]  # fmt: skip
+    (game / "jkl/static.jkl").write_text("\n".join(static))
+    (game / "misc/items.dat").write_text("binoculars 40 0 1 0x12 cog=look.cog\nend\n")
+    look = "if (HasLOS(GetLocalPlayerThing(), 10) == 1) Print(1);"
+    texts = {
+        "watch": f"symbols\nmessage startup\nmessage pulse\nflex rate\nend\ncode\n"
+                 f"startup: SetPulse(rate); return;\npulse: {look} return;\nend\n",
+        "look": f"symbols\nmessage activated\nend\ncode\nactivated: {look} return;\nend\n",
+    }  # fmt: skip
+    for name, text in texts.items():
+        (game / f"cog/{name}.cog").write_text(text)
+    assert LevelFacts(load(str(level))).hotspots == []
+    found = {h.runner.title: h for h in LevelFacts(load(str(level), [str(game)])).hotspots}
+    assert found["watch.cog of static.jkl"].calls_per_second == pytest.approx(2)
+    assert found["look.cog of items.dat"].causes == ("activated",)
+    assert len(found) == 2
+
+
 STARE = looking("startup: SetPulse(1.0); return;", f"pulse: {LOOK} return;")
-SHUT = ("World adjoins 2", "0: 0x6 1 1", "1: 0x6 0 1")
-
-
-def verdict(*lines: str) -> Verdict:
-    (found,) = hotspots(*lines)
-    return found.verdict
-
-
-def test_what_stays_is_seen_always_or_never() -> None:
-    assert verdict(*placed_cog("20 21", *STARE)) is Verdict.ALWAYS
-    assert verdict(*SHUT, *placed_cog("20 21", *STARE)) is Verdict.NEVER
-    assert verdict(*placed_cog("20 20", *STARE)) is Verdict.ALWAYS
-
-
-def test_what_a_script_can_open_or_move_varies() -> None:
-    opener = looking("activated: ClearAdjoinFlags(door, 0x1); return;", *STARE[STARE.index('code') + 1 : -1],
-                     symbols=("thing a", "thing b", "surface door"))  # fmt: skip
-    assert verdict(*SHUT, *placed_cog("20 21 3", *opener)) is Verdict.VARIES
-    # The other side of the same adjoin.
-    assert verdict(*SHUT, *placed_cog("20 21 8", *opener)) is Verdict.VARIES
-    # A script that cannot be read is linked to surface 3, or to something else.
-    unread = [each.replace("World cogs 1", "World cogs 2") for each in placed_cog("20 21", *STARE)]
-    unread.insert(unread.index("0: look.cog 20 21") + 1, "1: gone.cog 3")
-    assert verdict(*SHUT, *unread) is Verdict.VARIES
-    mover = looking("activated: TeleportThing(a, b); return;", *STARE[STARE.index("code") + 1 : -1])
-    assert verdict(*SHUT, *placed_cog("20 21", *mover)) is Verdict.VARIES
-
-
-def test_a_solid_thing_may_stand_between() -> None:
-    crate = ["World templates 5", "crate none type=cog collide=1 size=.1"]
-    lines = placed_cog("20 21", *STARE, more=["30: crate crate .5 .9 .5 0 0 0 0"])
-    assert verdict(*crate[:1], crate[1], *lines[1:]) is Verdict.VARIES
-    assert verdict(*SHUT, *crate[:1], crate[1], *lines[1:]) is Verdict.NEVER
 
 
 def test_a_level_without_tests_of_sight_has_none() -> None:

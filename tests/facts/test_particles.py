@@ -9,7 +9,7 @@ import pytest
 
 from jktools.facts.particles import Cloud, clouds
 from jktools.session import load
-from tests.support.levels import TWO_ROOMS, level_of, two_rooms
+from tests.support.levels import TWO_ROOMS, level_of, level_with_files, two_rooms
 
 PARTEST = (
     "+partest none type=particle timer=0.200000 typeflags=0x00 material=00gsmoke.mat range=0.020000 rate=128.000000 "
@@ -49,3 +49,34 @@ def test_cels_come_from_the_material(tmp_path: Path) -> None:
 def test_a_count_beyond_the_buffer_is_cut() -> None:
     assert cloud(PARTEST.replace("count=128", "count=300")).particles.spawned == 256
     assert cloud(PARTEST.replace("count=128", "count=-1")).particles.spawned == 0
+
+
+PAR = """SECTION: HEADER
+PAR 1.0
+SIZE 0.05
+MATERIAL 00ramp1.mat
+LIGHTINGMODE 2
+SECTION: GEOMETRYDEF
+RADIUS 0.1
+INSERT OFFSET 0 0 0
+VERTICES 3
+0: 0 0 0 0
+1: 0 0 .1 1
+2: 0 .1 0 2
+"""
+
+
+def test_a_cloud_from_a_file_is_the_files() -> None:
+    line = f"{PARTEST} particle=ball.par"
+    lines = ["World templates 4", line, "== misc/par/ball.par", *PAR.split("\n")]
+    with level_with_files(*lines) as level:
+        (found,) = clouds(level)
+    assert (found.file, found.known, found.material) == ("ball.par", True, "00ramp1.mat")
+    made = found.particles
+    assert (made.spawned, made.elementsize, made.cels) == (3, pytest.approx(0.05), 5)
+    assert made.timer_ms == 200
+
+
+def test_of_a_file_that_is_not_at_hand_nothing_is_known() -> None:
+    found = cloud(f"{PARTEST} particle=ball.par")
+    assert (found.file, found.known, found.material) == ("ball.par", False, None)

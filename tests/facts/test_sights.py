@@ -7,8 +7,9 @@ import pytest
 
 import jktools
 from jktools.facts.level import LevelFacts
-from jktools.facts.scene import Verdict, sight
+from jktools.facts.scene import Verdict
 from jktools.facts.sightline import EndpointError
+from jktools.facts.sights import sight
 from jktools.session import load
 from tests.geometry.test_engine_scene import START, rooms
 from tests.support.levels import CORPUS, level_of

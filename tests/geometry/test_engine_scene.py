@@ -8,8 +8,9 @@ import pytest
 from fixtures.rooms import Level as Builder
 from jktools.engine.profile import Engine
 from jktools.facts.level import LevelFacts
-from jktools.facts.scene import Scene, Verdict, sight, tell
+from jktools.facts.scene import Scene, Verdict, tell
 from jktools.facts.sightline import EndpointError
+from jktools.facts.sights import sight
 from jktools.geometry.engine_sight import Cut, SightFaces, engine_way
 from jktools.model import Level
 from jktools.session import load

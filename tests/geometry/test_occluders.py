@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from jktools.facts.occluders import Along, _sign, body_mesh, faces_mesh, fan_corners, placed_vertices, sphere_meeting
-from jktools.facts.scene import Verdict, sight
+from jktools.facts.scene import Verdict
+from jktools.facts.sights import sight
 from jktools.geometry.engine_sight import Faces
 from jktools.geometry.rest_pose import rest_pose
 from jktools.model import Level

@@ -104,6 +104,13 @@ def test_a_test_against_none_makes_sight_safe(test: str) -> None:
     assert found == []
 
 
+@pytest.mark.parametrize(("interval", "told"), [("0.02", False), ("0.0199", True), ("0.021", False)])
+def test_a_pulse_of_just_a_frame_is_kept(interval: str, told: bool) -> None:
+    code = ("startup:", f"SetPulse({interval});", "return;", "pulse:", "return;", "end")
+    found = script_findings("JK601", "symbols", "message startup", "message pulse", "end", "code", *code)
+    assert bool(found) is told
+
+
 def test_too_deep_calls_count_to_four() -> None:
     def chain(depth: int) -> list[Diagnostic]:
         subs = [f"s{i}: {f'call s{i + 1};' if i < depth else 'Print(1);'} return;" for i in range(1, depth + 1)]

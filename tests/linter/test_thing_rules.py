@@ -92,6 +92,12 @@ def test_frames_of_a_template_count_too() -> None:
     ]
 
 
+def test_a_patrol_in_a_template_is_told_once() -> None:
+    patrol = ("World templates 4", "guard none type=actor numframes=1 frame=(.5/.5/.5)")
+    assert len(messages("JK425", *patrol)) == 1
+    assert messages("JK407", *patrol) == []
+
+
 def test_a_player_starts_somewhere() -> None:
     without = ("World things 3", "0: ghost ghost .5 .5 .2 0 0 0 0")
     assert messages("JK408", *without) == ["the level has 2 things, but none of type player"]

@@ -26,15 +26,35 @@ def shows(shown: str, printed: str) -> bool:
     return re.fullmatch(r"(?:.*\n)?".join(pieces), printed.strip("\n"), re.DOTALL) is not None
 
 
-@pytest.mark.skipif(not PACK.exists(), reason="the corpus of real mods is not at hand")
-def test_transcripts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path(PACK.name).symlink_to(PACK.resolve())
-    assert len(TRANSCRIPTS) >= 5
+def wrongly_shown(folder: Path, transcripts: list[tuple[str, str]], capsys: pytest.CaptureFixture[str]) -> str:
+    """What is printed where the README shows something else."""
     wrong = []
-    for command, shown in TRANSCRIPTS:
+    for command, shown in transcripts:
         main(shlex.split(command)[1:])
         printed = capsys.readouterr().out
         if not shows(shown, printed):
             wrong.append(f"$ {command}\n{printed}")
-    assert not wrong, "\n".join(wrong)
+    return "\n".join(wrong)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder but for what the transcripts read."""
+    monkeypatch.chdir(tmp_path)
+    Path("fixtures").symlink_to(ROOT / "fixtures")
+    if PACK.exists():
+        Path(PACK.name).symlink_to(PACK.resolve())
+    return tmp_path
+
+
+@pytest.mark.skipif(not PACK.exists(), reason="the corpus of real mods is not at hand")
+def test_transcripts_of_a_real_pack(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    real = [t for t in TRANSCRIPTS if "fixtures/" not in t[0]]
+    assert len(real) >= 5
+    assert wrongly_shown(folder, real, capsys) == ""
+
+
+def test_transcripts_of_fixtures(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    own = [t for t in TRANSCRIPTS if "fixtures/" in t[0]]
+    assert own
+    assert wrongly_shown(folder, own, capsys) == ""

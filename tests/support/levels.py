@@ -67,7 +67,7 @@ def level_with_files(*fragment: str, game: str = "jk") -> Iterator[Level]:
     with tempfile.TemporaryDirectory() as folder:
         for name, text in texts.items():
             place = Path(folder, name)
-            place.parent.mkdir(exist_ok=True)
+            place.parent.mkdir(parents=True, exist_ok=True)
             place.write_text(text, "latin-1", newline="")
         yield load(str(Path(folder, "jkl/test.jkl")), game="mots" if game == "mots" else "jk")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fixtures.rooms import Level as Builder
-from fixtures.smithdev.make import TARGET
+from fixtures.smithdev.pack import GOB, HANDLES
 from jktools.cli import main
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER
@@ -26,11 +27,12 @@ from jktools.model import Level
 from jktools.trace.in_level import LevelSimulation, Start, start_at, trace_in_level
 from jktools.trace.level_ground import LevelGround
 from jktools.trace.script import parse
+from tests.support.hub import hub
 from tests.support.levels import ROOT, corpus_files, level_of, two_rooms
 from tests.support.terraces import rounded, terraces
 
 R, HOVER = 0.065, 0.120114
-SMITHDEV = level_of(TARGET.read_bytes())
+HUB = level_of(hub().text())
 ROOMS = level_of(two_rooms())
 MIDDLE = Start((0.5, 0.5, 0.12), 0)
 ALL_KEYS = "0 run forward\n2 run left\n3 jump\n4 run forward right\n6 run back\n7 jump\n8 run right\n10 end\n"
@@ -112,6 +114,23 @@ def test_looks_where_its_thing_looks() -> None:
     assert end("0 run forward\n3 end", turned, start_at(turned, "0"))[:2] == pytest.approx([R, 0.5], abs=1e-9)
 
 
+def test_a_launch_goes_where_the_thing_looks() -> None:
+    """At 1 JKU/s with surfdrag 3, one frame of 0.02 s: 0.94 JKU/s left, 0.0188 JKU far."""
+    turned = level_of(two_rooms("Section: THINGS", "0: walkplayer walkplayer .5 .5 .12 0 90 0 0"))
+    moved = trace_in_level("0 velocity 0 1 0\n0.02 end", turned, start_at(turned, "0"))
+    assert moved.velocity[-1] == pytest.approx([-0.94, 0, 0], abs=1e-12)
+    assert moved.position[-1] == pytest.approx([0.5 - 0.0188, 0.5, HOVER], abs=1e-9)
+
+
+def test_a_sector_with_thrust_lifts_who_jumped() -> None:
+    """8 up against 4 down: after the jump the body never comes back; without the sector's flag it does."""
+    script = "0 sector-thrust 0 0 8\n0.5 jump\n3 end"
+    lifted = trace_in_level(script, level_of(two_rooms("Sector 0", "Flags 0x8")), MIDDLE)
+    assert lifted.attached[:25].all() and (lifted.position[:25, 2] == lifted.position[0, 2]).all()
+    assert lifted.position[-1, 2] == pytest.approx(1 - R, abs=1e-9)
+    assert end(script)[2] == pytest.approx(HOVER, abs=1e-9)
+
+
 def test_a_ceiling_stops_a_jump() -> None:
     weightless = level_of(two_rooms("Sector 0", "Flags 0x1"))
     assert end("0 jump\n3 end", weightless) == pytest.approx([0.5, 0.5, 1 - R], abs=1e-12)
@@ -142,11 +161,11 @@ def test_overlapping_sectors_are_told_apart() -> None:
     assert end("0 run forward\n3 end", level_of(builder.text())) == pytest.approx([0.5, 2 - R, HOVER], abs=1e-12)
 
 
-# ---- smithdev: from the hub east through the door (y 1.5 .. 2.5) over the pit (x 5 .. 7, 0.2 deep)
+# ---- from the hub east through the door (y 1.5 .. 2.5) over the pit (x 5 .. 7, 0.2 deep)
 
 
 def test_the_hub_the_pit_room_and_the_pit() -> None:
-    walk = trace_in_level("0 walk right\n12 end", SMITHDEV, start_at(SMITHDEV, "0"))
+    walk = trace_in_level("0 walk right\n12 end", HUB, start_at(HUB, "0"))
     assert [i.event for i in walk.incidents] == [Event.DETACHES, Event.ATTACHES]
     left, landed = (round(i.time / 0.02) for i in walk.incidents)
     assert walk.position[left - 1, 0] <= 5 < walk.position[left, 0]
@@ -156,26 +175,29 @@ def test_the_hub_the_pit_room_and_the_pit() -> None:
 
 
 def test_the_example_of_the_docs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    (tmp_path / "walk.txt").write_text("0 walk right\n12 end\n")
-    assert main(["trace", "run", str(tmp_path / "walk.txt"), "--level", str(TARGET), "--at", "0"]) == 0
+    (tmp_path / "walk.txt").write_text("0 walk forward\n3 end\n")
+    start = json.loads(HANDLES.read_text("ascii"))["pit_rows"]["things"]["before 0.120114 0.2"]
+    level = f"{GOB}!jkl/smithdev.jkl"
+    assert main(["trace", "run", str(tmp_path / "walk.txt"), "--level", level, "--at", str(start)]) == 0
     said = capsys.readouterr().err.splitlines()
     page = (ROOT / "docs/engine.md").read_text("utf-8")
+    assert f"smithdev.jkl --at {start} -o walk.csv" in page
     assert len(said) == 2 and "".join(f"    {line}\n" for line in said) in page
 
 
 def test_on_an_edge_the_higher_floor_carries() -> None:
-    feet = ground(SMITHDEV, 4.5, 2, 0.12, sector=2)
+    feet = ground(HUB, 4.5, 2, 0.12, sector=2)
     for x, height in ((5.0, 0.0), (5.001, -0.2)):
         found = feet.floor_below((x, 2, 0.12), 1.0, 0.0, 0x1)
         assert found and found.point[2] == pytest.approx(height, abs=1e-7)
 
 
 def test_beside_the_door_is_a_wall() -> None:
-    assert end("0 run right\n6 end", SMITHDEV, Start((2, 2.6, 0.18), 0))[0] == pytest.approx(4 - R, abs=1e-12)
+    assert end("0 run right\n6 end", HUB, Start((2, 2.6, 0.18), 0))[0] == pytest.approx(4 - R, abs=1e-12)
 
 
 def test_glass_stops_and_is_no_floor() -> None:
-    assert end("0 run left\n6 end", SMITHDEV, start_at(SMITHDEV, "0"))[0] == pytest.approx(R, abs=1e-12)
+    assert end("0 run left\n6 end", HUB, start_at(HUB, "0"))[0] == pytest.approx(R, abs=1e-12)
 
 
 @pytest.mark.parametrize("engine", Engine)

@@ -24,6 +24,8 @@ def test_every_line() -> None:
         3    surface non-floor
         4    release
         5    slow right
+        5.5  velocity 0 -1 .5
+        6    sector-thrust 0 0 8
         6.25 end
         """
     )
@@ -39,7 +41,9 @@ def test_every_line() -> None:
         Phase(2.5, away),
         Phase(3, away, sliding),
         Phase(4, Keys()),
-        Phase(5, Keys(strafe=1, slow=True)),
+        Phase(5, (slow := Keys(strafe=1, slow=True))),
+        Phase(5.5, slow, velocity=(0, -1, 0.5)),
+        Phase(6, slow, sector_thrust=(0, 0, 8)),
     )
 
 
@@ -59,7 +63,9 @@ def test_flat_ground_without_floor_lines() -> None:
     [
         ("0 walk", "line 1: walk takes one or two of forward, back, left, right"),
         ("0 walk up\n1 end", "line 1: walk takes one or two of forward, back, left, right"),
-        ("\n0 fly", "line 2: fly is no action: walk, run, slow, release, crouch, stand, jump, surface, end"),
+        ("\n0 fly", "line 2: fly is no action: walk, run, slow, release, crouch, stand, jump, surface, velocity, "),
+        ("0 velocity 1", "line 1: velocity takes three numbers"),
+        ("0 sector-thrust 0 0 up", "line 1: up is no number"),
         ("0 surface lava", "line 1: lava is no surface: floor, non-floor, icy, very-icy"),
         ("0 surface", "line 1: surface takes one name"),
         ("0 jump high", "line 1: jump takes no high"),

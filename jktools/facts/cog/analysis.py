@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property
 
-from jktools.facts.cog.dataflow import Known, analyse
+from jktools.facts.cog.dataflow import Known, analyse, initial_ranges
 from jktools.facts.cog.lowering import Flow, lower
+from jktools.facts.cog.ranges import Range
 from jktools.facts.cog.rates import Rates
 from jktools.facts.cog.reach import Reach
-from jktools.model.cog.program import Program
+from jktools.model.cog.program import Program, Slot
 from jktools.model.cog.values import Value
 
 
@@ -38,6 +39,14 @@ class Analysis:
     def known(self) -> Known:
         """What variables, arguments and conditions can be."""
         return analyse(self.program, self.flow, self.reach.live, self.bound)
+
+    def start_of(self, slot: Slot) -> float | None:
+        """The number that a symbol holds before any code runs; None where that is not known."""
+        return self._starts[slot.index].number
+
+    @cached_property
+    def _starts(self) -> list[Range]:
+        return initial_ranges(self.program, self.bound)
 
     @cached_property
     def rates(self) -> Rates:

@@ -1,7 +1,9 @@
 """What sends a handler its message, and how often that can happen.
 
 `pulse` and `SetTimer` come at most once an interval and once a frame, whatever the script does. A `SetTimerEx` comes
-once for each call; so does what a script sends itself. Everything else is the level's or the player's doing.
+once for each call; so does what a script sends itself. Everything else is the level's or the player's doing. The
+engine's clock counts whole milliseconds, and cuts what a script asks for: a pulse of 0.7 s, which as a flex is a little
+less, comes every 699 ms (sithCogFunction_SetPulse in the decompiled engine).
 """
 
 from __future__ import annotations
@@ -19,7 +21,7 @@ from jktools.facts.cog.dataflow import Known
 from jktools.facts.cog.lowering import Flow, Op
 from jktools.facts.cog.ranges import Range
 from jktools.facts.cog.reach import Reach
-from jktools.facts.cog.repeats import NEVER, Counter, Repeats
+from jktools.facts.cog.repeats import FRAMES_PER_SECOND, NEVER, Counter, Repeats
 from jktools.model.cog.messages import ONCE
 from jktools.model.cog.program import Handler, Program
 from jktools.model.cog.verbs import Verb
@@ -27,7 +29,6 @@ from jktools.syntax.cog.nodes import Call, Name
 
 PULSE, TIMER = 13, 4
 TRIGGER = 40
-FRAMES_PER_SECOND = 50.0
 
 SourceKind = Literal[
     "pulse", "timer", "each timer", "thing pulse", "thing timer", "message", "trigger", "once", "event"
@@ -53,6 +54,11 @@ _SENDERS = {
     "sendmessageexradius": _Sending("message", None, None),
     "sendtrigger": _Sending("trigger", TRIGGER, None),
 }
+_ARMED: tuple[tuple[int, SourceKind, int], ...] = ((0x4, "pulse", PULSE), (0x8, "timer", TIMER))
+"""Bits of a script's `flags` with which its pulse or timer is set from the start, for the first frame and each later
+one: the engine keeps the same bits for what SetPulse and SetTimer set (sithCogScript_Tick in the decompiled engine)."""
+LEAST_DELAY = -0.001
+"""Seconds: SetTimerEx takes what is no whole millisecond below 0 (sithCogFunction_SetTimerEx)."""
 _MESSAGE_ARGUMENT = {"sendmessage": 1, "sendmessageex": 1, "sendmessageexradius": 3}
 
 
@@ -73,6 +79,7 @@ class Source:
     seconds: Range | None = None
     """The interval or delay that the call sets; None where there is none."""
     site: Site | None = None
+    """None where no call sends it."""
     senders: tuple[str, ...] = ()
     """Labels of the handlers that lead to the call."""
 
@@ -86,12 +93,12 @@ class Source:
     @property
     def off(self) -> bool:
         """Whether the call can only switch the pulse or timer off."""
-        if self.seconds is None:
+        if self.seconds is None or self.site is None:
             return False
         least, most = ranges.as_flex(self.seconds)
         if self.kind in ("thing pulse", "thing timer"):
             return least == most == 0  # what is below 0 comes every frame
-        return most < 0 if self.kind == "each timer" else most <= 0
+        return most <= (LEAST_DELAY if self.kind == "each timer" else 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +167,11 @@ class Rates:
         for handler in self.program.handlers:
             found[handler.label] = [Source("once" if handler.message.name in ONCE else "event")]
             if handler.message.id in (PULSE, TIMER):
-                found[handler.label].clear()
+                found[handler.label] = [
+                    Source(kind, ranges.FALSE)
+                    for bit, kind, message in _ARMED
+                    if self.program.header.flags & bit and message == handler.message.id
+                ]
         for site in self.sites:
             sending = _SENDERS.get(site.verb.name)
             if sending is None:
@@ -238,7 +249,7 @@ class Rates:
             if source.off:
                 continue
             if source.kind in ("pulse", "timer", "thing pulse", "thing timer"):
-                shortest = max(source.least, 1 / frames)
+                shortest = apart(source.least, 1 / frames)
                 least[source.kind] = min(least.get(source.kind, math.inf), shortest)
             elif source.site is not None:
                 for sender in source.senders:
@@ -248,7 +259,7 @@ class Rates:
                     if sender != label:
                         total += passes.most(runs[sender], seconds)
                     elif source.kind == "each timer" and passes.per_run <= 1 and chain is None:
-                        chain = max(source.least, 1 / frames)
+                        chain = apart(source.least, 1 / frames)
                     else:
                         return math.inf
         for kind, shortest in least.items():
@@ -256,6 +267,11 @@ class Rates:
         if chain is not None:
             total = (total + runs[label]) * (seconds / chain + 1)
         return total
+
+
+def apart(seconds: float, frame: float) -> float:
+    """The least time between two messages of a clock that is set to so many seconds, in seconds."""
+    return max(math.floor(seconds * 1000.0) / 1000.0, frame) if seconds < math.inf else seconds
 
 
 def describe_seconds(seconds: Range) -> str:

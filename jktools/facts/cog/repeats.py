@@ -2,13 +2,16 @@
 
 A block's passes in `t` seconds with `n` runs of the handler are at most `n * per_run + t * per_second`, and a little
 more when messages arrive while the script sleeps: while one is handled the sleep below goes on. A loop whose end
-nobody can prove, and which does not sleep in every turn, makes `per_run` infinite.
+nobody can prove, and which does not sleep in every turn, makes `per_run` infinite. A script that sleeps goes on in a
+later frame (sithCogScript_Tick in the decompiled engine): no loop that sleeps turns more than once a frame.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from heapq import heappop, heappush
 from typing import NamedTuple
 
 from jktools.facts.cog import ranges
@@ -28,9 +31,12 @@ SHORTEST_SLEEP = 0.1
 """What a sleep of 0 seconds or less lasts."""
 MOST_SEEN = 32
 """Things that FirstThingInView finds at most (sithCogFunctionAI_FirstThingInView in the decompiled engine)."""
+FRAMES_PER_SECOND = 50.0
+"""Of the game as it was played."""
 VIEWS = frozenset({"firstthinginview", "firstthingincone"})
 WALKS = frozenset({"nextthinginview", "nextthingincone"})
 NO_THING = ranges.Range(ranges.INT, -1, -1)
+_END = -1
 
 
 class Repeats(NamedTuple):
@@ -40,6 +46,8 @@ class Repeats(NamedTuple):
     per_second: float
     per_interruption: float = 0.0
     """More for each message, to any handler of the script, that finds it asleep."""
+    pause: float = math.inf
+    """Seconds that a turn of the loop around it asks to sleep, at most; infinite where no loop that sleeps is."""
 
     def most(self, runs: float, seconds: float, interruptions: float = 0.0) -> float:
         """The greatest count in so many seconds with so many runs and messages."""
@@ -48,7 +56,11 @@ class Repeats(NamedTuple):
 
     def times(self, count: float) -> Repeats:
         """For what runs `count` times as often."""
-        return Repeats(self.per_run * count, self.per_second * count, self.per_interruption * count)
+        return self._replace(
+            per_run=self.per_run * count,
+            per_second=self.per_second * count,
+            per_interruption=self.per_interruption * count,
+        )
 
 
 class _Loop(NamedTuple):
@@ -117,21 +129,43 @@ def components(blocks: Sequence[Block], inside: frozenset[int], cut: int = -1) -
     return found
 
 
+def endless_parts(flow: Flow, known: Known, reach: Reach) -> list[frozenset[int]]:
+    """The blocks of each loop that nothing ends and that never sleeps: the game hangs in it."""
+    parts = [frozenset(part) for part in components(flow.blocks, frozenset(known.visited))]
+    return [part for part in parts if not _can_end(flow, known, reach, part)]
+
+
+def _can_end(flow: Flow, known: Known, reach: Reach, part: frozenset[int]) -> bool:
+    blocks = flow.blocks
+    if any(blocks[i].returns or any(s not in part and s in known.visited for s in blocks[i].successors) for i in part):
+        return True
+    called = reach.blocks_from(blocks[i].callee for i in part if blocks[i].callee >= 0)
+    return any(
+        op is Op.CALL and (verb.sleeps or verb.game == "user" or verb.name == "jkendlevel")
+        for i in part.union(called) for op, verb, _ in blocks[i].code
+    )  # fmt: skip
+
+
 class Counter:
     """Counts passes within the code that one start leads to."""
 
-    def __init__(self, program: Program, flow: Flow, reach: Reach, known: Known, *, undisturbed: bool = False) -> None:
-        """Count nothing yet.
+    def __init__(
+        self, program: Program, flow: Flow, reach: Reach, known: Known, *, frames: float = FRAMES_PER_SECOND,
+        undisturbed: bool = False,
+    ) -> None:  # fmt: skip
+        """Count nothing yet; `frames` are the game's a second.
 
-        `undisturbed` takes it that no handler which a verb runs in between starts the list of things in view anew: the
-        counts are then what is meant, and no longer bounds whatever other scripts do.
+        `undisturbed` takes it that no handler which a verb runs in between starts the list of things in view anew, or
+        sets a counter back: the counts are then what is meant, and no longer bounds whatever other scripts do.
         """
         self.undisturbed = undisturbed
         self.program = program
         self.flow = flow
         self.reach = reach
         self.known = known
+        self.frame = 1.0 / frames
         self._within: dict[int, Mapping[int, Repeats]] = {}
+        self._asleep: dict[tuple[int, int], float] = {}
         self._effort = 0
         self.stores = self._stores(Op.STORE)
         self.arrays = [each for stores in self._stores(Op.STORE_AT).values() for each in stores]
@@ -187,24 +221,69 @@ class Counter:
             again = outer.times(turns + 1)
             return _Loop(header, again, outer.times(turns) if testing == header else again)
         pace = self._pace(header, part)
-        passes = Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1) if pace else UNBOUNDED
+        if pace <= 0:
+            return _Loop(header, UNBOUNDED, UNBOUNDED)
+        asked = min(outer.pause, self._asked(part))
+        passes = Repeats(outer.per_run, outer.per_second + 1 / pace, outer.per_interruption + 1, asked)
         return _Loop(header, passes, passes)
 
-    def _pace(self, header: int, part: frozenset[int]) -> float:
-        """The least time that every turn sleeps; 0 when a turn may not sleep at all."""
-        sleeping = {i: pace for i in part if (pace := self._sleeps(self.flow.blocks[i])) > 0}
-        awake = part - sleeping.keys()
-        if header in awake and any(header in p for p in components(self.flow.blocks, awake)):
-            return 0.0
-        return min(sleeping.values(), default=0.0)
+    # ---- loops that sleep
 
-    def _sleeps(self, block: Block) -> float:
-        """How long a pass of a block sleeps at least."""
-        longest = 0.0
-        for op, arg, node in block.code:
-            if op is Op.CALL and arg.name == "sleep" and node in self.known.arguments:
-                longest = max(longest, least_sleep(self.known.arguments[node][0]))
-        return longest
+    def _pace(self, header: int, part: frozenset[int]) -> float:
+        """The least time that a turn takes by its sleeps; 0 when a turn may not sleep at all."""
+        lasting = self._sleeps(header, MOST_FRAMES)
+        starts = [(lasting, s) for s in self.flow.blocks[header].successors if s in part]
+        return self._search(starts, part - {header}, header, MOST_FRAMES)
+
+    def _search(self, starts: list[tuple[float, int]], inside: AbstractSet[int], goal: int, depth: int) -> float:
+        """The least time asleep on a way through blocks to a goal, `_END` for the end of a label's code."""
+        blocks = self.flow.blocks
+        done: set[int] = set()
+        pending = sorted(starts)
+        while pending:
+            so_far, index = heappop(pending)
+            if index == goal:
+                return so_far
+            if index in done or index not in inside:
+                continue
+            done.add(index)
+            self._effort += 1
+            so_far += self._sleeps(index, depth)
+            if goal == _END and blocks[index].returns:
+                heappush(pending, (so_far, goal))
+            for successor in blocks[index].successors:
+                heappush(pending, (so_far, successor))
+        return math.inf
+
+    def _sleeps(self, index: int, depth: int) -> float:
+        """How long a pass of a block sleeps at least, in what it calls too."""
+        block = self.flow.blocks[index]
+        total = math.fsum(max(least_sleep(seconds), self.frame) for seconds in self._sleep_arguments(block))
+        return total + self._sleeps_in(block.callee, depth - 1) if block.callee >= 0 and depth > 0 else total
+
+    def _sleeps_in(self, entry: int, depth: int) -> float:
+        """How long the code of a label sleeps at least before it returns; `depth` more labels can be called."""
+        key = (entry, depth)
+        if key not in self._asleep:
+            inside = self.known.visited.intersection(self.reach.blocks_from([entry], into_calls=False))
+            free = self._effort > MOST_EFFORT
+            self._asleep[key] = 0.0 if free else self._search([(0.0, entry)], inside, _END, depth)
+        return self._asleep[key]
+
+    def _sleep_arguments(self, block: Block) -> list[ranges.Range]:
+        return [
+            self.known.arguments[node][0]
+            for op, arg, node in block.code
+            if op is Op.CALL and arg.name == "sleep" and node in self.known.arguments
+        ]
+
+    def _asked(self, part: frozenset[int]) -> float:
+        """What a turn asks to sleep, at most: all sleeps of a loop together, and of what it calls."""
+        blocks = self.flow.blocks
+        called = self.reach.blocks_from(blocks[i].callee for i in part if blocks[i].callee >= 0)
+        return math.fsum(
+            most_sleep(seconds) for i in part | frozenset(called) for seconds in self._sleep_arguments(blocks[i])
+        )
 
     # ---- loops that count
 
@@ -338,8 +417,9 @@ class Counter:
         if any(index in called for index, _ in stores):
             return True
         return len(stores) > 1 and any(
-            op is Op.CALL and arg.delivers for i in part | called for op, arg, _ in blocks[i].code
-        )
+            op is Op.CALL and (arg.sleeps if self.undisturbed else arg.delivers)
+            for i in part | called for op, arg, _ in blocks[i].code
+        )  # fmt: skip
 
     def _every_turn(self, index: int, header: int, part: frozenset[int]) -> bool:
         """Whether each way round the loop passes a block, and none passes it twice."""
@@ -350,15 +430,26 @@ class Counter:
 
 
 def least_sleep(seconds: ranges.Range) -> float:
-    """How long `Sleep` lasts at least: 0 or less is 0.1 s."""
+    """How long `Sleep` asks to sleep at least: 0 or less is 0.1 s."""
     low, high = ranges.as_flex(seconds)
     if low > 0:
         return low
     return SHORTEST_SLEEP if high <= 0 else 0.0
 
 
+def most_sleep(seconds: ranges.Range) -> float:
+    """How long `Sleep` asks to sleep at most."""
+    low, high = ranges.as_flex(seconds)
+    return high if low > 0 else max(high, SHORTEST_SLEEP)
+
+
 def _sum(a: Repeats, b: Repeats) -> Repeats:
-    return Repeats(a.per_run + b.per_run, a.per_second + b.per_second, a.per_interruption + b.per_interruption)
+    return Repeats(
+        a.per_run + b.per_run,
+        a.per_second + b.per_second,
+        a.per_interruption + b.per_interruption,
+        min(a.pause, b.pause),
+    )
 
 
 def _nested(outer: Repeats, inner: Repeats) -> Repeats:
@@ -373,4 +464,9 @@ def _nested(outer: Repeats, inner: Repeats) -> Repeats:
     if outer == ONCE:
         return inner
     again = outer.times(inner.per_run)
-    return Repeats(again.per_run, again.per_second + inner.per_second, again.per_interruption + inner.per_interruption)
+    return Repeats(
+        again.per_run,
+        again.per_second + inner.per_second,
+        again.per_interruption + inner.per_interruption,
+        min(outer.pause, inner.pause),
+    )

@@ -10,16 +10,18 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from typing import NamedTuple, TypeVar
 
 import numpy as np
 
+from jktools.engine.profile import Engine
 from jktools.facts.cog import ranges
-from jktools.facts.cog.rates import FRAMES_PER_SECOND, Site
+from jktools.facts.cog.rates import Site
+from jktools.facts.cog.repeats import FRAMES_PER_SECOND
 from jktools.facts.hotspots.ends import ANY_TYPE, FLOODS, NEXT, End, ends, seen_mask
 from jktools.facts.hotspots.pace import Paces
 from jktools.facts.hotspots.runners import Runner
+from jktools.facts.hotspots.verdicts import Verdict, Verdicts
 from jktools.facts.hotspots.work import MOST_SEEN, Place, SightWork, Work
 from jktools.model import Level, Thing
 from jktools.syntax.template.parameters import TYPES
@@ -29,25 +31,7 @@ _T = TypeVar("_T")
 MOST_PAIRS = 4096
 """Pairs of places that are tried for one call; of more, evenly spread ones."""
 SIGHT_COSTS = frozenset({"ray", "flood"})
-TIMED = frozenset({"pulse", "timer", "thing pulse", "thing timer"})
 BODIES = ("actor", "player")
-FIXED_TYPES = ("cog", "ghost", "item", "corpse", "camera")
-MOVING_VERBS = frozenset(
-    {
-        "teleportthing", "setthingpos", "setthingposex", "movetoframe", "jumptoframe", "skiptoframe", "pathmovepause",
-        "rotate", "rotatepivot", "attachthingtothing", "attachthingtothingex", "detachthing", "setthingvel",
-        "applyforce", "setthinglook", "moverotate",
-    }
-)  # fmt: skip
-"""With one of these in any script of the level, no thing is taken to stay where it is placed."""
-
-
-class Verdict(StrEnum):
-    """What the tests of a call find."""
-
-    ALWAYS = "always"
-    NEVER = "never"
-    VARIES = "varies"
 
 
 class Cost(NamedTuple):
@@ -72,15 +56,45 @@ class Hotspot:
     per_run: Mapping[str, float]
     """Most calls in one run of each."""
     calls_per_second: float
+    """At most, of what is known and lasts; infinite where nothing bounds the calls."""
     cost: Cost
-    verdict: Verdict
+    verdicts: Mapping[Engine, Verdict]
+    """What it finds, by profile."""
     pulse: float
-    """The shortest interval, in seconds, that a pulse or timer on the way there asks for; infinite without one."""
+    """The shortest interval, in seconds, that what lasts on the way there asks for, a pulse, a timer, a sleep in a
+    loop; infinite without one."""
+    more: bool = False
+    """Whether there can be more calls than is known: by things that play creates, or by COGs that are not known."""
+    endless: bool = False
+    """Whether a loop around it is sure never to end."""
+    causes: tuple[str, ...] = ()
+    """The messages from the player or the world each of which can make more calls: `touched`, `touched of cog 3`."""
+
+    @property
+    def verdict(self) -> Verdict:
+        """What it finds, where both profiles agree; else it varies."""
+        found = set(self.verdicts.values())
+        return found.pop() if len(found) == 1 else Verdict.VARIES
+
+    @property
+    def finds(self) -> str | None:
+        """For messages: `always succeeds`, or what it does by each profile; None where it varies by both."""
+        verb = {Verdict.ALWAYS: "always succeeds", Verdict.NEVER: "never succeeds", Verdict.VARIES: "varies"}
+        if self.verdict is not Verdict.VARIES:
+            return verb[self.verdict]
+        told = sorted(self.verdicts.items(), key=lambda each: each[1] is Verdict.VARIES)
+        known = [f"{verb[verdict]} by {engine}" for engine, verdict in told]
+        return ", but ".join(known) if told[0][1] is not Verdict.VARIES else None
 
     @property
     def surfaces_per_second(self) -> float:
         """Surface tests a second, on the mean."""
         return self.calls_per_second * self.cost.mean_surfaces if self.calls_per_second else 0.0
+
+    @property
+    def lasts(self) -> bool:
+        """Whether there are calls for as long as the level runs, or in a loop that never ends."""
+        return self.endless or any(runs > 0 for runs in self.handlers.values()) or 0 < self.calls_per_second < math.inf
 
     @property
     def help(self) -> str:
@@ -90,9 +104,9 @@ class Hotspot:
         if math.isinf(self.calls_per_second):
             return "end the loop after a known number of turns, or sleep in it"
         if self.pulse < math.inf and self.runner.cog is None and len(self.runner.things) > 1:
-            return "pulse less often, and only things that the player is near"
+            return "test less often, and only for things that the player is near"
         if self.pulse < math.inf:
-            return "pulse less often, or test the distance first"
+            return "test less often, or test the distance first"
         return "keep the answer for some time, or test the distance first"
 
 
@@ -100,15 +114,20 @@ class Scene:
     """What the hotspots of a level are worked out from."""
 
     def __init__(
-        self, level: Level, runners: Sequence[Runner], work: SightWork, frames: float = FRAMES_PER_SECOND
+        self,
+        level: Level,
+        runners: Sequence[Runner],
+        work: SightWork,
+        verdicts: Verdicts,
+        created: frozenset[str] = frozenset(),
+        frames: float = FRAMES_PER_SECOND,
     ) -> None:
-        """`frames` are the game's a second, which no pulse outruns."""
-        self.level, self.runners, self.work = level, tuple(runners), work
+        """`frames` are the game's a second, which no pulse outruns; `created` the templates that play creates."""
+        self.level, self.runners, self.work, self.verdicts = level, tuple(runners), work, verdicts
         self.paces = Paces(runners, frames)
+        self.created = [r.type for name in sorted(created) if (r := level.resolved_templates.get(name)) is not None]
         self.placed = [t for t in level.things if t.dropped is None and np.isfinite(t.position).all()]
         self.by_number = {thing.number: thing for thing in self.placed}
-        verbs = {site.verb.name for runner in runners for site in runner.analysis.rates.sites}
-        self.things_stay = not verbs & MOVING_VERBS
         self._roaming: dict[frozenset[int], list[Place]] = {}
 
     def hotspots(self) -> list[Hotspot]:
@@ -122,13 +141,29 @@ class Scene:
         return sorted(found, key=lambda h: (-h.surfaces_per_second, h.runner.place, h.site.call.start))
 
     def _hotspot(self, runner: Runner, site: Site) -> Hotspot:
-        rates, paces = runner.analysis.rates, self.paces
-        labels = [label for label in rates.senders_of(site) if label in paces.started[runner]]
+        paces = self.paces
+        labels = paces.labels(runner, site)
         per_run = {label: self._per_run(runner, site, label) for label in labels}
-        calls = sum(self._calls(runner, site, label, per_run[label]) for label in labels)
-        cost, verdict = self._flood(runner, site) if site.verb.sight == "flood" else self._rays(runner, site)
-        handlers = {label: paces.runs_of(runner, label) for label in labels}
-        return Hotspot(runner, site, handlers, per_run, calls, cost, verdict, self._pulse(runner, labels))
+        calls = [paces.calls(runner, label, site, per_run[label]) for label in labels]
+        lasting = math.inf if any(math.isinf(c.once) for c in calls) else math.fsum(c.rate for c in calls)
+        cost, verdicts = self._flood(runner, site) if site.verb.sight == "flood" else self._rays(runner, site)
+        return Hotspot(
+            runner,
+            site,
+            {label: paces.runs_of(runner, label) for label in labels},
+            per_run,
+            lasting,
+            cost,
+            verdicts,
+            min((paces.asked(runner, label, site) for label in labels), default=math.inf),
+            any(paces.is_open(runner, label, site) for label in labels),
+            any(paces.is_endless(runner, label, site) for label in labels),
+            self._causes(runner, labels),
+        )
+
+    def _causes(self, runner: Runner, labels: Iterable[str]) -> tuple[str, ...]:
+        found = dict.fromkeys(node for label in labels for node in self.paces.causes(runner, label))
+        return tuple(n.label if n.runner is runner else f"{n.label} of {n.runner.title}" for n in found)
 
     def _per_run(self, runner: Runner, site: Site, label: str) -> float:
         """Calls in one run; a loop over the things in view turns no more often than there are such things."""
@@ -146,60 +181,23 @@ class Scene:
     def _seen(self, runner: Runner) -> int:
         """The things in the level of the types that a script looks for."""
         mask = seen_mask(runner)
+        if any(mask >> TYPES.index(created) & 1 for created in self.created):
+            return MOST_SEEN
         return sum(1 for thing in self.placed if mask >> TYPES.index(thing.resolved.type) & 1)
-
-    def _calls(self, runner: Runner, site: Site, label: str, per_run: float) -> float:
-        passes = self.paces.passes(runner, label, site)
-        runs = self.paces.runs_of(runner, label)
-        return (runs * per_run if runs else 0.0) + passes.per_second
-
-    def _pulse(self, runner: Runner, labels: Iterable[str]) -> float:
-        """The shortest interval asked for among what brings these handlers their messages."""
-        found = [math.inf]
-        for label in labels:
-            sources = runner.analysis.rates.sources[label]
-            found += [source.least for source in sources if source.kind in TIMED and not source.off]
-            handler = runner.analysis.program.handler_of[label]
-            found += [seconds for seconds, _ in self.paces.beats_for(runner, handler.message.id).values()]
-        return min(found)
 
     # ---- cost and verdict
 
-    def _flood(self, runner: Runner, site: Site) -> tuple[Cost, Verdict]:
+    def _flood(self, runner: Runner, site: Site) -> tuple[Cost, Mapping[Engine, Verdict]]:
         distance = ranges.as_flex(site.arguments[2])[1] if len(site.arguments) > 2 else math.inf
         places = [place for end in sorted(ends(runner, site, 0)) for place in self._places(runner, end)]
-        return _cost([self.work.flood(place, distance) for place in _spread(places, MOST_PAIRS)]), Verdict.VARIES
+        cost = _cost([self.work.flood(place, distance) for place in _spread(places, MOST_PAIRS)])
+        return cost, dict.fromkeys(Engine, Verdict.VARIES)
 
-    def _rays(self, runner: Runner, site: Site) -> tuple[Cost, Verdict]:
+    def _rays(self, runner: Runner, site: Site) -> tuple[Cost, Mapping[Engine, Verdict]]:
         sides = [sorted(ends(runner, site, argument)) for argument in range(2)]
         places = [[place for end in side for place in self._places(runner, end)] for side in sides]
         works = [self.work.ray(a, b) for a, b in _pairs(*places)]
-        return _cost(works), self._verdict(runner, sides, works)
-
-    def _verdict(self, runner: Runner, sides: Sequence[Sequence[End]], works: Sequence[Work]) -> Verdict:
-        if all(len(side) == 1 and side[0].kind == "thing" for side in sides) and sides[0] == sides[1]:
-            return Verdict.ALWAYS if sides[0][0].number in self.by_number else Verdict.VARIES
-        fixed = all(self._stays(runner, end) for side in sides for end in side)
-        if not fixed or not works or any(work.changeable for work in works):
-            return Verdict.VARIES
-        outcomes = {work.visible for work in works}
-        if outcomes == {False}:
-            return Verdict.NEVER
-        return Verdict.VARIES if len(outcomes) > 1 or self._may_be_hidden(sides) else Verdict.ALWAYS
-
-    def _may_be_hidden(self, sides: Sequence[Sequence[End]]) -> bool:
-        """Whether a thing could stand between: any solid one that is none of the two ends."""
-        own = {end.number for side in sides for end in side}
-        return any(t.number not in own and t.resolved.number("collide") != 0 for t in self.placed)
-
-    def _stays(self, runner: Runner, end: End) -> bool:
-        """Whether an end is where it is placed for as long as the level runs."""
-        if not self.things_stay or end.kind not in ("thing", "carrier"):
-            return False
-        if end.kind == "carrier" and (runner.more or runner.cog is not None):
-            return False
-        things = runner.things if end.kind == "carrier" else [self.by_number.get(end.number)]
-        return all(t is not None and t.resolved.type in FIXED_TYPES and t.resolved.move == "none" for t in things)
+        return _cost(works), self.verdicts.of(runner, sides)
 
     def _places(self, runner: Runner, end: End) -> list[Place]:
         """Where an end can be; nothing where that is not known."""
@@ -260,8 +258,3 @@ def _cost(works: Sequence[Work]) -> Cost:
         max(work.surfaces for work in works),
         len(works),
     )
-
-
-def asks_for_sight(runner: Runner) -> bool:
-    """Whether the script calls a verb of sight that costs something, whether or not the call can run."""
-    return any(verb.sight in SIGHT_COSTS for _, verb in runner.script.program.calls)

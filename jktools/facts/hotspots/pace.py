@@ -1,37 +1,55 @@
-"""How often the handlers of a level's scripts run, once all is under way: runs a second that last.
+"""How often the handlers of a level's scripts run, and the calls in them: bounds on what lasts and on what is over.
 
-A pulse comes once an interval and once a frame at most. A timer comes once for each time that it is set: it lasts when
-what it runs sets it again, or when something that lasts sets it. What the player or the world causes is counted as one
-event; it counts here for what it starts. A message that finds the script asleep can add a turn to a loop that sleeps:
-such turns are left out.
+A pulse comes once an interval and once a frame at most. A timer comes once for each time that it is set; one that what
+it runs sets again comes once an interval. A pulse that each run of its handler turns off comes once for each time that
+it is set. What comes from outside, as the player's `activated`, is counted once for each handler, and for each thing
+that carries a class COG: it counts for what it starts. Messages from script to script are followed to the COGs that
+they name. Where handlers send each other messages in a circle, nothing bounds them.
+
+The bounds hold as long as each handler that is not `open` gets no more from outside than is counted.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
-from typing import NamedTuple
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from functools import cached_property
+from typing import NamedTuple, TypeVar
 
 from jktools.facts.cog import ranges
-from jktools.facts.cog.rates import PULSE, TIMER, Rates, Site, Source
-from jktools.facts.cog.repeats import NEVER, Counter, Repeats
-from jktools.facts.hotspots.ends import ends
+from jktools.facts.cog.lowering import Block, Op
+from jktools.facts.cog.rates import Site, apart
+from jktools.facts.cog.repeats import VIEWS, Repeats, endless_parts
+from jktools.facts.hotspots.network import Clock, Inputs, Network, Node, Sending
 from jktools.facts.hotspots.runners import Runner
+from jktools.geometry.components import components
 
-THING_SENDERS: Mapping[str, int] = {"setthingpulse": PULSE, "setthingtimer": TIMER}
+V = TypeVar("V", bound=Hashable)
+
+MOST_DELAYED = 256
+"""Messages of SetTimerEx that can wait at a time, of all scripts (sithEvent_CreateEvent in the decompiled engine)."""
 
 
-class Beat(NamedTuple):
-    """A pulse or timer that a script gives to things."""
+class Bound(NamedTuple):
+    """At most `once + rate * t` times in t seconds."""
 
-    runner: Runner
-    site: Site
-    message: int
-    seconds: float
-    """The least interval."""
-    things: frozenset[int]
-    """Numbers of the things that get it."""
-    senders: tuple[str, ...]
+    once: float
+    rate: float
+
+    def plus(self, other: Bound) -> Bound:
+        """Both together."""
+        return Bound(self.once + other.once, self.rate + other.rate)
+
+    def times(self, count: float) -> Bound:
+        """For what happens so many times as often."""
+        return Bound(*(each * count if each and count else 0.0 for each in self))
+
+
+NOTHING = Bound(0.0, 0.0)
+UNBOUNDED = Bound(math.inf, math.inf)
+
+_Vertex = Node | Runner | Clock
+"""A handler; what wakes a script, by the script; a clock."""
 
 
 class Paces:
@@ -41,156 +59,302 @@ class Paces:
         """`frames` are the game's a second."""
         self.runners = tuple(runners)
         self.frame = 1.0 / frames
-        self.repeats = {runner: _repeats(runner) for runner in self.runners}
-        self.beats = [beat for runner in self.runners for beat in _beats(runner)]
-        self.started = {runner: self._started(runner) for runner in self.runners}
-        self.runs: dict[Runner, dict[str, float]] = {runner: {} for runner in self.runners}
-        for _ in range(2):  # a thing's timer may wait for the pulse of another script
-            self.runs = {runner: self._runs(runner) for runner in self.runners}
+        self.network = Network(self.runners, frames)
+        self.bounds = _Solution(self.network, self.frame).run()
+
+    def labels(self, runner: Runner, site: Site) -> list[str]:
+        """The handlers that can run and lead to a call."""
+        return [label for label in runner.analysis.rates.senders_of(site) if Node(runner, label) in self.network.inputs]
 
     def runs_of(self, runner: Runner, label: str) -> float:
-        """Runs a second of a handler."""
-        return self.runs[runner].get(label, 0.0)
+        """Runs a second of a handler, of what lasts."""
+        return self.bounds.get(Node(runner, label), NOTHING).rate
 
     def passes(self, runner: Runner, label: str, site: Site) -> Repeats:
         """How often a call happens in the runs of a handler."""
-        return self.repeats[runner][label].get(site.block, NEVER)
+        return self.network.passes(Node(runner, label), site)
 
-    def beats_for(self, runner: Runner, message: int) -> dict[int, tuple[float, list[Beat]]]:
-        """By thing: the least interval at which a script gets a message from it, and what sets it."""
-        own = {thing.number for thing in runner.things}
-        found: dict[int, tuple[float, list[Beat]]] = {}
-        for beat in self.beats:
-            if beat.message == message:
-                for number in beat.things & own:
-                    least, by = found.get(number, (math.inf, []))
-                    found[number] = (min(least, beat.seconds), [*by, beat])
+    def calls(self, runner: Runner, label: str, site: Site, per_run: float | None = None) -> Bound:
+        """How often a handler comes to a call; `per_run` is the most in one run where more is known of that."""
+        passes = self.passes(runner, label, site)
+        if per_run is not None:
+            passes = passes._replace(per_run=per_run)
+        return _calls(self.bounds, Node(runner, label), passes)
+
+    def is_open(self, runner: Runner, label: str, site: Site) -> bool:
+        """Whether a handler can come to a call more often than `calls` tells, by what is not known."""
+        node = Node(runner, label)
+        if self.network.inputs[node].open or self._may_be_disturbed(node, site):
+            return True
+        woken = self.passes(runner, label, site).per_interruption > 0
+        return woken and any(self.network.inputs[n].open for n in self.network.live if n.runner is runner)
+
+    def _may_be_disturbed(self, node: Node, site: Site) -> bool:
+        """Whether a loop on the way to a call can turn more often, by what a verb in it makes run in between.
+
+        That can begin the list of the things in view anew, which all scripts share, or set a counter back.
+        """
+        if self.passes(*node, site) == node.runner.analysis.rates.repeats_of(node.label, site):
+            return False
+        if any(other != node or not self._is_clocked(other) for other in self._looking):
+            return True
+        own = _stored(node)
+        return any(
+            other.runner is node.runner and not self._is_clocked(other) and own.intersection(_stored(other))
+            for other in self.network.live
+        )
+
+    @cached_property
+    def _looking(self) -> list[Node]:
+        return [
+            node
+            for node in self.network.live
+            if any(s.verb.name in VIEWS and s.block in self.network.repeats[node.runner][node.label]
+                   for s in node.runner.analysis.rates.sites)
+        ]  # fmt: skip
+
+    def _is_clocked(self, node: Node) -> bool:
+        """Whether nothing but clocks make a handler run, which no verb does in between."""
+        inputs = self.network.inputs[node]
+        return not inputs.events and not inputs.messages and not inputs.open
+
+    def asked(self, runner: Runner, label: str, site: Site) -> float:
+        """The shortest interval, in seconds, that a clock or a sleep on the way to a call asks for; infinite without.
+
+        A clock that comes once for each time that it is set is none, but for a timer that sets itself again.
+        """
+        node = Node(runner, label)
+        found = [self.passes(runner, label, site).pause]
+        found += [clock.asked for clock, _ in self.network.inputs[node].clocks if self._lasts(clock)]
+        return min(found)
+
+    def _lasts(self, clock: Clock) -> bool:
+        return self.bounds.get(clock, NOTHING).rate > 0
+
+    def causes(self, runner: Runner, label: str) -> list[Node]:
+        """The handlers, run from outside, each message to which may add runs of this one."""
+        inputs = self.network.inputs
+        pending = [Node(runner, label)]
+        found = dict.fromkeys(pending)
+        while pending:
+            at = inputs[pending.pop()]
+            before = [s.sender for s in at.messages]
+            before += [s.sender for clock, _ in at.clocks if clock.kind != "pulse" or clock.once for s in clock.set_by]
+            fresh = [node for node in before if node not in found]
+            found.update(dict.fromkeys(fresh))
+            pending += fresh
+        return [node for node in self.network.nodes if node in found and inputs[node].outside]
+
+    def is_endless(self, runner: Runner, label: str, site: Site) -> bool:
+        """Whether a loop around a call can be proven never to end, nor to sleep."""
+        each = runner.analysis
+        inside = self.network.repeats[runner][label]
+        parts = endless_parts(each.flow, each.known, each.reach)
+        return any(site.block in each.reach.blocks_from(part) and not inside.keys().isdisjoint(part) for part in parts)
+
+
+def _stored(node: Node) -> set[int]:
+    """The symbols that a handler can assign to; the first of each array."""
+    each = node.runner.analysis
+    blocks = each.reach.handler_blocks[node.label] & each.known.visited
+    return {arg for i in blocks for op, arg, _ in each.flow.blocks[i].code if op in (Op.STORE, Op.STORE_AT)}
+
+
+def _calls(bounds: Mapping[_Vertex, Bound], node: Node, passes: Repeats) -> Bound:
+    runs = bounds.get(node, NOTHING)
+    found = runs.times(passes.per_run).plus(Bound(0.0, passes.per_second if runs != NOTHING else 0.0))
+    if passes.per_interruption:
+        found = found.plus(bounds.get(node.runner, NOTHING).times(passes.per_interruption))
+    return found
+
+
+class _Solution:
+    """Works the bounds out along the ways of a network, what leads to the rest first."""
+
+    def __init__(self, network: Network, frame: float) -> None:
+        self.network, self.frame = network, frame
+        self.bounds: dict[_Vertex, Bound] = {}
+        sleeping = {
+            node.runner
+            for node in network.live
+            for each in network.repeats[node.runner][node.label].values()
+            if each.per_interruption
+        }
+        self.vertices: list[_Vertex] = [*network.live, *(r for r in network.runners if r in sleeping)]
+        self.vertices += network.clocks.values()
+
+    def run(self) -> dict[_Vertex, Bound]:
+        for part in ordered(self.vertices, self._needs):
+            if len(part) == 1 and part[0] not in self._needs(part[0]):
+                self.bounds[part[0]] = self._value(part[0])
+            else:
+                self._circle(part)
+        return self.bounds
+
+    def _circle(self, part: Sequence[_Vertex]) -> None:
+        """Of vertices that lead to each other: clocks keep to their intervals; circles of messages have no bound."""
+        rest: list[_Vertex] = []
+        for vertex in part:
+            if isinstance(vertex, Clock):
+                self.bounds[vertex] = self._in_circle(vertex, part)
+            else:
+                rest.append(vertex)
+        for inner in ordered(rest, self._needs):
+            if len(inner) == 1 and inner[0] not in self._needs(inner[0]):
+                self.bounds[inner[0]] = self._value(inner[0])
+            else:
+                self.bounds.update(dict.fromkeys(inner, UNBOUNDED))
+
+    def _needs(self, vertex: _Vertex) -> list[_Vertex]:
+        """What the bound of a vertex is worked out from."""
+        found: list[_Vertex] = []
+        if isinstance(vertex, Clock):
+            for sending in vertex.set_by if self._is_counted(vertex) else ():
+                found += self._needs_of(sending)
+            return found
+        for inputs, own in self._inputs(vertex):
+            found += [clock for clock, _ in inputs.clocks]
+            for sending in inputs.messages:
+                if own is None or sending.sender.runner is not own:
+                    found += self._needs_of(sending)
         return found
 
-    def _started(self, runner: Runner) -> frozenset[str]:
-        """The handlers that can run at all: a pulse that nothing running sets never comes."""
-        rates = runner.analysis.rates
-        foreign = {b.message for b in self.beats if b.runner is not runner and b.things & _numbers(runner)}
-        found = {
-            handler.label
-            for handler in runner.analysis.program.handlers
-            if handler.message.id in foreign or any(s.site is None for s in rates.sources[handler.label])
-        }
-        grown = True
-        while grown:
-            more = {
-                label
-                for label, sources in rates.sources.items()
-                if label not in found and any(not s.off and found.intersection(s.senders) for s in sources)
-            }
-            found |= more
-            grown = bool(more)
-        return frozenset(found)
+    def _needs_of(self, sending: Sending) -> list[_Vertex]:
+        passes = self.network.passes(sending.sender, sending.site)
+        return [sending.sender, sending.sender.runner] if passes.per_interruption else [sending.sender]
 
-    def _runs(self, runner: Runner) -> dict[str, float]:
-        rates = runner.analysis.rates
-        circles = _circles(rates)
-        runs = dict.fromkeys(rates.sources, 0.0)
-        for _ in range(len(runs) + 1):
-            before = dict(runs)
-            for handler in runner.analysis.program.handlers:
-                label = handler.label
-                if label in self.started[runner]:
-                    runs[label] = self._own(runner, label, before, circles[label]) + self._from_things(
-                        runner, handler.message.id, label, circles[label]
-                    )
-            if runs == before:
-                break
-        return runs
+    def _inputs(self, vertex: _Vertex) -> list[tuple[Inputs, Runner | None]]:
+        """What runs a handler; of a script, all that runs it but what it sends itself, which finds it awake."""
+        if isinstance(vertex, Runner):
+            return [(self.network.inputs[node], vertex) for node in self.network.live if node.runner is vertex]
+        assert isinstance(vertex, Node)
+        return [(self.network.inputs[vertex], None)]
 
-    def _own(self, runner: Runner, label: str, runs: Mapping[str, float], circle: frozenset[str]) -> float:
-        """Runs by pulses, timers and messages of the script itself."""
-        pulse = timer = math.inf
-        timed = total = 0.0
-        for source in runner.analysis.rates.sources[label]:
-            senders = [s for s in source.senders if s in self.started[runner]]
-            if source.off or source.site is None or not senders:
-                continue
-            if source.kind == "pulse":
-                pulse = min(pulse, self._interval(source))
-            elif source.kind in ("timer", "each timer"):
-                again = _set_again(runner.analysis.rates, source, senders, circle)
-                set_by = sum(self._passes(runner, s, source.site, runs) for s in senders if s not in circle)
-                if source.kind == "timer":
-                    timer = min(timer, self._interval(source))
-                    timed = math.inf if again else timed + set_by
-                else:
-                    total += set_by + (1.0 / self._interval(source) if again else 0.0)
-            elif source.kind in ("message", "trigger"):
-                total += sum(self._passes(runner, s, source.site, runs) for s in senders if s not in circle)
-        return total + 1.0 / pulse + min(timed, 1.0 / timer)
-
-    def _passes(self, runner: Runner, label: str, site: Site, runs: Mapping[str, float]) -> float:
-        passes = self.passes(runner, label, site)
-        return (runs[label] * passes.per_run if runs[label] else 0.0) + passes.per_second
-
-    def _from_things(self, runner: Runner, message: int, label: str, circle: frozenset[str]) -> float:
-        """Runs by the pulses and timers of things: once for each thing."""
-        total = 0.0
-        for seconds, beats in self.beats_for(runner, message).values():
-            if message == PULSE or any(self._lasts(runner, beat, label, circle) for beat in beats):
-                total += 1.0 / max(seconds, self.frame)
+    def _value(self, vertex: _Vertex) -> Bound:
+        if isinstance(vertex, Clock):
+            return self._clock(vertex)
+        total = NOTHING
+        for inputs, own in self._inputs(vertex):
+            total = total.plus(Bound(inputs.events, 0.0))
+            for clock, copies in inputs.clocks:
+                total = total.plus(self.bounds[clock].times(copies))
+            for sending in inputs.messages:
+                if own is None or sending.sender.runner is not own:
+                    total = total.plus(self._sent(sending))
         return total
 
-    def _lasts(self, runner: Runner, beat: Beat, label: str, circle: frozenset[str]) -> bool:
-        """Whether a thing's timer is set again and again."""
-        if beat.runner is runner and ({label} | circle).intersection(beat.senders):
-            return True
-        runs = self.runs[beat.runner]
-        return any(runs.get(sender, 0.0) > 0 for sender in beat.senders)
+    def _sent(self, sending: Sending) -> Bound:
+        passes = self.network.passes(sending.sender, sending.site)
+        return _calls(self.bounds, sending.sender, passes).times(sending.copies)
 
-    def _interval(self, source: Source) -> float:
-        return max(source.least, self.frame)
+    # ---- clocks
+
+    def _is_counted(self, clock: Clock) -> bool:
+        """Whether how often it is set has a say."""
+        loose = any(self.network.inputs[sending.sender].open for sending in clock.set_by)
+        return (clock.once or clock.kind == "each timer") and not loose
+
+    def _most(self, clock: Clock) -> Bound:
+        """What no setting of a clock outruns."""
+        hands = MOST_DELAYED if clock.kind == "each timer" else 1
+        return Bound(1.0, 1.0 / apart(clock.seconds, self.frame)).times(hands)
+
+    def _clock(self, clock: Clock) -> Bound:
+        if not self._is_counted(clock):
+            return self._most(clock)
+        start = Bound(1.0, 0.0) if clock.armed else NOTHING
+        for sending in clock.set_by:
+            start = start.plus(self._sent(sending))
+        return _least(start, self._most(clock))
+
+    def _in_circle(self, clock: Clock, part: Sequence[_Vertex]) -> Bound:
+        """Of a clock that what it runs sets again; with SetTimerEx once a run at most, each start goes on by itself."""
+        most = self._most(clock)
+        if clock.kind != "each timer" or not self._is_counted(clock):
+            return most
+        again = [sending for sending in clock.set_by if sending.sender in part]
+        runs = {sending.sender for sending in again}
+        if len(runs) != 1 or any(isinstance(v, Node) and v not in runs for v in part):
+            return most
+        (node,) = runs
+        if _most_a_run(self.network, node, [sending.site for sending in again]) > 1:
+            return most
+        inputs = self.network.inputs[node]
+        start = Bound(inputs.events, 0.0)
+        for other, copies in inputs.clocks:
+            if other is not clock:
+                start = start.plus(self._outside(other, part).times(copies))
+        for sending in (*inputs.messages, *clock.set_by):
+            if sending.sender is not node and sending.sender != node:
+                start = start.plus(self._sent(sending))
+        if start.rate > 0:
+            return most
+        seconds = min(ranges.as_flex(sending.site.arguments[0])[0] for sending in again)
+        return _least(Bound(start.once, start.once / apart(seconds, self.frame)), most)
+
+    def _outside(self, clock: Clock, part: Sequence[_Vertex]) -> Bound:
+        return self._most(clock) if clock in part else self.bounds[clock]
 
 
-def _repeats(runner: Runner) -> Mapping[str, Mapping[int, Repeats]]:
-    """For each handler's label, how often a run passes each block, other scripts left out."""
-    each = runner.analysis
-    counter = Counter(each.program, each.flow, each.reach, each.known, undisturbed=True)
-    return {h.label: counter.of_handler(each.flow.label_block[h.label]) for h in each.program.handlers}
+def _least(a: Bound, b: Bound) -> Bound:
+    """The one that allows less in the long run."""
+    return min(a, b, key=lambda bound: (math.isinf(bound.once), bound.rate, bound.once))
 
 
-def _numbers(runner: Runner) -> frozenset[int]:
-    return frozenset(thing.number for thing in runner.things)
+def _most_a_run(network: Network, node: Node, sites: Sequence[Site]) -> float:
+    """The most of some calls that one way through a handler makes, as far as it has no loops there."""
+    passes = [network.passes(node, site) for site in sites]
+    total = sum(each.per_run for each in passes)
+    if any(each.per_run > 1 or each.per_second or each.per_interruption for each in passes):
+        return math.inf
+    if total <= 1:
+        return total
+    each = node.runner.analysis
+    start = each.flow.label_block[node.label]
+    inside = (i for i in each.reach.blocks_from([start], into_calls=False) if i in each.known.visited)
+    weights = dict.fromkeys(inside, 0)
+    for site in sites:
+        if site.block not in weights:
+            return total  # in a label that it calls
+        weights[site.block] += 1
+    return _heaviest(each.flow.blocks, weights)
 
 
-def _beats(runner: Runner) -> Iterable[Beat]:
-    """The pulses and timers that a script gives to things; to those that it runs for where it is not known which."""
-    rates = runner.analysis.rates
-    for site in rates.sites:
-        message = THING_SENDERS.get(site.verb.name)
-        if message is None or len(site.arguments) < 2:
-            continue
-        low, high = ranges.as_flex(site.arguments[1])
-        if high <= 0:
-            continue
-        things: set[int] = set()
-        for end in ends(runner, site, 0):
-            things |= {end.number} if end.kind == "thing" else _numbers(runner)
-        yield Beat(runner, site, message, max(low, 0.0), frozenset(things), rates.senders_of(site))
+def _heaviest(blocks: Sequence[Block], weights: Mapping[int, int]) -> float:
+    """The greatest sum of weights on a way through blocks; infinite where a circle has some."""
+    part_of: dict[int, int] = {}
+    most: list[float] = []
+    for part in ordered(list(weights), lambda index: [i for i in blocks[index].predecessors if i in weights]):
+        part_of.update(dict.fromkeys(part, len(most)))
+        own = math.fsum(weights[index] for index in part)
+        if len(part) > 1 and own:
+            return math.inf
+        before = {part_of[p] for index in part for p in blocks[index].predecessors if p in weights} - {len(most)}
+        most.append(own + max((most[p] for p in before), default=0.0))
+    return max(most, default=0.0)
 
 
-def _set_again(rates: Rates, source: Source, senders: Iterable[str], circle: frozenset[str]) -> bool:
-    """Whether what a timer runs sets it again."""
-    assert source.site is not None
-    return any(s in circle and rates.repeats_of(s, source.site).per_run > 0 for s in senders)
-
-
-def _circles(rates: Rates) -> Mapping[str, frozenset[str]]:
-    """For each handler, those (it among them) that it leads to and that lead back to it."""
-    leads: dict[str, set[str]] = {}
-    for start in rates.arms:
-        found: set[str] = set()
-        pending = [start]
-        while pending:
-            for label in rates.arms[pending.pop()]:
-                if label not in found:
-                    found.add(label)
-                    pending.append(label)
-        leads[start] = found
-    return {a: frozenset(b for b in leads[a] if a in leads[b]) for a in leads}
+def ordered(vertices: Sequence[V], needs: Callable[[V], Iterable[V]]) -> list[list[V]]:
+    """The strongly connected parts of a graph, each behind all that its vertices need."""
+    index = {vertex: i for i, vertex in enumerate(vertices)}
+    edges = [(index[n], i) for i, vertex in enumerate(vertices) for n in needs(vertex) if n in index]
+    first = components(len(vertices), [a for a, _ in edges], [b for _, b in edges]).tolist()
+    members: dict[int, list[V]] = {}
+    for i, vertex in enumerate(vertices):
+        members.setdefault(first[i], []).append(vertex)
+    ways = dict.fromkeys((first[a], first[b]) for a, b in edges if first[a] != first[b])
+    after: dict[int, list[int]] = {part: [] for part in members}
+    waiting = dict.fromkeys(members, 0)
+    for a, b in ways:
+        after[a].append(b)
+        waiting[b] += 1
+    ready = [part for part, count in waiting.items() if not count]
+    order = []
+    while ready:
+        part = ready.pop()
+        order.append(members[part])
+        for each in after[part]:
+            waiting[each] -= 1
+            if not waiting[each]:
+                ready.append(each)
+    return order

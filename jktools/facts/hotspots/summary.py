@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import msgspec
 
 from jktools.facts.hotspots.hotspots import Hotspot
+
+MOST_CAUSES = 3
+"""Causes that a message names."""
 
 
 class CostSummary(msgspec.Struct, frozen=True):
@@ -21,7 +24,11 @@ class CostSummary(msgspec.Struct, frozen=True):
     line: int
     """In the script, from 1."""
     calls_per_second: float | None
-    """Of what lasts; None where nothing bounds it."""
+    """At most, of what is known and lasts; None where nothing bounds it."""
+    more: bool
+    """Whether there can be more calls than is known."""
+    causes: tuple[str, ...]
+    """The messages from the player or the world each of which can make more calls."""
     mean_sectors: float
     """Sectors entered in one call."""
     mean_surfaces: float
@@ -31,9 +38,28 @@ class CostSummary(msgspec.Struct, frozen=True):
     pairs: int
     """Pairs of places that were tried; 0 where nothing is known of the ends."""
     verdict: str
-    """`always`, `never` or `varies`."""
+    """`always`, `never` or `varies`, where both profiles agree; else `varies`."""
+    verdicts: Mapping[str, str]
+    """The same by profile."""
+    finds: str | None
+    """In words; None where it varies by both."""
     help: str
     """What would make it cheaper."""
+
+
+def frequency(calls: float | None, more: bool, causes: Sequence[str]) -> str:
+    """For messages: `at most 4 times a second`, `after each touched`, `how often is not known`."""
+    words = []
+    if calls is None or math.isinf(calls):
+        words.append("any number of times a second")
+    elif calls:
+        words.append(f"at most {calls:.6g} time{'' if calls == 1 else 's'} a second")
+    if causes:
+        left = len(causes) - MOST_CAUSES
+        words.append("after each " + ", ".join(causes[:MOST_CAUSES]) + f" and {left} more" * (left > 0))
+    if more:
+        words.append("more often by what is not known" if words else "how often is not known")
+    return ", ".join(words) or "not after the start"
 
 
 def summarise_costs(path: str, spots: Iterable[Hotspot]) -> Mapping[str, list[CostSummary]]:
@@ -48,12 +74,16 @@ def summarise_costs(path: str, spots: Iterable[Hotspot]) -> Mapping[str, list[Co
                 spot.site.verb.name,
                 spot.runner.script.span(spot.site.call).first.line,
                 None if math.isinf(calls) else calls,
+                spot.more,
+                spot.causes,
                 spot.cost.mean_sectors,
                 spot.cost.mean_surfaces,
                 spot.cost.most_sectors,
                 spot.cost.most_surfaces,
                 spot.cost.pairs,
                 spot.verdict.value,
+                {engine.value: verdict.value for engine, verdict in spot.verdicts.items()},
+                spot.finds,
                 spot.help,
             )
         )

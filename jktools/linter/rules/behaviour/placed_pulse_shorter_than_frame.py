@@ -8,7 +8,7 @@ from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.facts.cog import ranges
 from jktools.linter.rule import Finding, rule
-from jktools.linter.rules.behaviour.pulse_shorter_than_frame import PULSES, SHORTEST
+from jktools.linter.rules.behaviour.pulse_shorter_than_frame import PULSES, SHORTEST, outruns_frames
 from jktools.model import Level
 
 
@@ -57,7 +57,8 @@ def placed_pulse_shorter_than_frame(level: Level, facts: LevelFacts) -> Iterator
             if at is None:
                 continue
             low, high = ranges.as_flex(site.arguments[at])
-            if low > 0 and high < SHORTEST and ranges.as_flex(anyhow[site.call].arguments[at])[1] >= SHORTEST:
+            anyway = ranges.as_flex(anyhow[site.call].arguments[at])[1]
+            if low > 0 and outruns_frames(high) and not outruns_frames(anyway):
                 yield Finding(
                     Label(instance.cog.head_span),
                     f"{instance.cog.title} sets a pulse every {high:.6g} s, but a frame takes {SHORTEST} s",

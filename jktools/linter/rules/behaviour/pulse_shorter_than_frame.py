@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from jktools.diagnostics import Severity
 from jktools.facts import ScriptFacts
 from jktools.facts.cog import ranges
@@ -13,6 +15,11 @@ from jktools.syntax.cog import Script
 SHORTEST = 0.02
 """Seconds: the game's step at 50 frames a second."""
 PULSES = {"setpulse": 0, "setthingpulse": 1}
+
+
+def outruns_frames(seconds: float) -> bool:
+    """Whether an interval is shorter than a frame, in the engine's float32: one written 0.02 is not."""
+    return bool(np.float32(seconds) < np.float32(SHORTEST))
 
 
 @rule("JK601", "pulse-shorter-than-frame", severity=Severity.WARNING, since="0.1.0", looks_at=Script)
@@ -56,7 +63,7 @@ def pulse_shorter_than_frame(script: Script, facts: ScriptFacts) -> Iterator[Fin
         if at is None:
             continue
         low, high = ranges.as_flex(site.arguments[at])
-        if low > 0 and high < SHORTEST:
+        if low > 0 and outruns_frames(high):
             yield Finding(
                 facts.label(site.call),
                 f"a pulse every {high:.6g} s is set, but a frame takes {SHORTEST} s",

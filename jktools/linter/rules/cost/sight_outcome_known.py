@@ -6,23 +6,20 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
-from jktools.facts.hotspots import Verdict
-from jktools.linter.hotspots import place_of, subject_of
+from jktools.linter.hotspots import ours, place_of, subject_of
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK659", "sight-outcome-known", severity=Severity.WARNING, since="0.1.0", on=False)
+@rule("JK659", "sight-outcome-known", severity=Severity.WARNING, since="0.1.0")
 def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a call of `HasLOS` that always finds the same, since nothing that it depends on can change.
 
     ## Why it matters
-    The test costs time and decides nothing. Reported is a call between things that stay where they are placed, when
-    no script can open or shut what the segment meets, and, for one that always succeeds, when the level places no other
-    solid thing. Bodies that walk between are left out: in the decompiled engine they do not block.
-
-    The rule is off: it does not yet see ends that a script destroys, items that a player takes, or solid things that
-    a script creates or makes solid on the way.
+    The test costs time and decides nothing. Reported is a call between things that stay where they are placed, by the
+    whole scene: walls, and things in the way that stay too. No script can change what the answer hangs on, and where it
+    always succeeds nothing solid can come between: by the research document any body or shot, by the decompiled engine
+    things of type cog. Where only one of them is sure, the finding says so.
 
     ## Bad
         World adjoins 2
@@ -61,12 +58,11 @@ def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             return;
         end
     """
-    for spot in facts.hotspots:
-        if spot.verdict is not Verdict.VARIES and spot.handlers:
-            finds = "always succeeds" if spot.verdict is Verdict.ALWAYS else "never succeeds"
+    for spot in ours(facts):
+        if spot.finds is not None and spot.handlers:
             yield Finding(
                 place_of(spot.runner),
-                f"{spot.runner.title} tests sight between things that stay in place, but the test {finds}",
+                f"{spot.runner.title} tests sight between things that stay in place, but the test {spot.finds}",
                 spot.help,
                 subject_of(spot.runner),
                 (spot.runner.script.label(spot.site.call, "the call"),),

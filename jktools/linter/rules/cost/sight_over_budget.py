@@ -10,7 +10,7 @@ import msgspec
 
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
-from jktools.linter.hotspots import call_label, place_of, subject_of
+from jktools.linter.hotspots import call_label, ours, place_of, subject_of
 from jktools.linter.rule import Finding, Options, rule
 from jktools.model import Level
 
@@ -78,7 +78,7 @@ def sight_over_budget(level: Level, facts: LevelFacts, options: Budget) -> Itera
             return;
         end
     """
-    by_script = sorted(facts.hotspots, key=lambda spot: spot.runner.place)
+    by_script = sorted((spot for spot in ours(facts) if spot.lasts), key=lambda spot: spot.runner.place)
     for runner, group in groupby(by_script, key=lambda spot: spot.runner):
         spots = sorted(group, key=lambda spot: -spot.surfaces_per_second)
         total = sum(spot.surfaces_per_second for spot in spots)

@@ -1,48 +1,62 @@
-"""JK721: a body whose thrust does not bring it above the speed at which it stops."""
+"""JK721: an actor that its AI cannot get off the spot."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
-from jktools.engine.integration import steady_speed
+from jktools.engine.flags import PhysicsFlag
+from jktools.engine.thrust import MOST_AI_SPEED
 from jktools.facts import LevelFacts
-from jktools.facts.motion import bodies, body_of
+from jktools.facts.motion import FPS, body_of, is_body
+from jktools.facts.own_line import own_origin, templates_and_things
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
+from jktools.model.resources import Kind
+from jktools.syntax.assets.small import AIClass
 
-DECIDING = ("staticdrag", "surfdrag", "maxthrust")
+DECIDING = ("staticdrag", "maxthrust", "surfdrag", "aiclass", "physflags", "type", "move")
+STICKS = PhysicsFlag.FLOOR_STICK | PhysicsFlag.WALL_STICK
 
 
 @rule("JK721", "thrust-below-static-drag", severity=Severity.WARNING, since="0.1.0")
 def thrust_below_static_drag(level: Level, facts: LevelFacts) -> Iterator[Finding]:
-    """Report an actor or player whose walking speed is no more than its static drag.
+    """Report an actor with an AI that pushes it less in a frame than its static drag takes.
 
     ## Why it matters
-    A body on the floor that does not thrust stops dead as soon as it is no faster than its `staticdrag`. Its walking
-    speed is `maxthrust` / `surfdrag`: where that is less, it never moves but while it thrusts, and an AI, which pushes
-    its body without thrusting, does not get away at all.
+    A body on the floor that does not thrust stops dead as soon as it is slower than its `staticdrag`. A player thrusts
+    while a key is held, and is spared; an AI does not: it adds `maxthrust` x frame time x 2 to the speed at most, and
+    the decompiled engine takes that away again before the body moves. So at 50 frames a second an actor with
+    `staticdrag=0.3` and `maxthrust=2` never moves, but at 10 it does. The game's own actors have no `staticdrag`. An AI
+    file at hand that lists no instincts moves nobody, and is left out.
 
     ## Bad
         World templates 4
-        guard none type=actor move=physics physflags=0x4f mass=1 maxthrust=.5 surfdrag=5 staticdrag=.3
+        guard none type=actor move=physics physflags=0x4f mass=1 maxthrust=2 surfdrag=3 staticdrag=.3 aiclass=a.ai
 
     ## Good
         World templates 4
-        guard none type=actor move=physics physflags=0x4f mass=1 maxthrust=2 surfdrag=3 staticdrag=.3
+        guard none type=actor move=physics physflags=0x4f mass=1 maxthrust=2 surfdrag=3 aiclass=a.ai
     """
-    for held in bodies(level):
-        body = body_of(held)
-        own = [held.values[k].origins[0] for k in DECIDING if k in held.values]
-        span = next((origin.span for origin in own if origin.owner == held.owner), None)
-        if span is None or body.maxthrust <= 0 or body.surfdrag <= 0:
+    for held in templates_and_things(level):
+        place = own_origin(held, *DECIDING)
+        ai = held.name_in("aiclass")
+        if place is None or not is_body(held) or held.type == "player" or ai is None or _is_idle(level, ai):
             continue
-        speed = float(steady_speed(body.maxthrust, body.surfdrag))
-        if speed <= body.staticdrag:
+        body = body_of(held)
+        push = body.maxthrust * MOST_AI_SPEED / FPS
+        if body.physflags & STICKS and body.surfdrag > 0 and 0 < push < body.staticdrag:
             yield Finding(
-                Label(span),
-                f"{held.owner.title} walks at {speed:.6g} JKU/s (maxthrust / surfdrag), but its staticdrag stops it at "
-                f"{body.staticdrag:.6g} JKU/s and below",
-                "raise maxthrust, or lower surfdrag or staticdrag",
+                Label(place.span),
+                f"{held.owner.title} is pushed by its AI by up to {push:.6g} JKU/s in a frame of {1 / FPS:g} s "
+                f"(maxthrust x {MOST_AI_SPEED:g} / {FPS:g}), but its staticdrag stops what is slower than "
+                f"{body.staticdrag:.6g} JKU/s before it moves",
+                "leave staticdrag out, as the game's own actors do, or raise maxthrust to more than "
+                f"{body.staticdrag * FPS / MOST_AI_SPEED:.6g}",
                 held.owner.subject,
             )
+
+
+def _is_idle(level: Level, ai: str) -> bool:
+    found = level.resources.asset(Kind.AI_CLASS, ai)
+    return isinstance(found, AIClass) and not found.instincts

@@ -6,18 +6,21 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
-from jktools.facts.particles import Cloud, clouds
+from jktools.facts.own_line import own_origin
+from jktools.facts.particles import Cloud
+from jktools.linter.particles import new_faults
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
 @rule("JK740", "particles-never-seen", severity=Severity.WARNING, since="0.1.0")
 def particles_never_seen(level: Level, facts: LevelFacts) -> Iterator[Finding]:
-    """Report a template of type particle that the level can reach and that shows nothing.
+    """Report a template or thing of type particle that the level can reach and that shows nothing.
 
     ## Why it matters
-    A cloud is `count` squares of side `elementsize`, with the colour of a `material`. Without one of the three there is
-    nothing to see, while the thing lives and costs its time.
+    A cloud is `count` squares of side `elementsize`. Without one of the two there is nothing to see, while the thing
+    lives and costs its time. A negative `elementsize` draws the same square as a positive one (JK743). A cloud from a
+    PAR file has both from there.
 
     ## Bad
         World templates 4
@@ -31,22 +34,20 @@ def particles_never_seen(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World things 4
         2: smoke smoke .5 .5 .5 0 0 0 0
     """
-    for cloud in clouds(level):
-        missing = _missing(cloud)
-        if missing is not None and facts.reach.has(cloud.template):
-            setting = cloud.template.values.get(missing)
-            yield Finding(
-                Label(setting.origins[0].span if setting is not None else cloud.template.owner.head_span),
-                f"{cloud.template.owner.title} makes particles, but has "
-                + (f"no {missing}" if setting is None else f"{missing}={setting.text}"),
-                "give it a count, an elementsize and a material",
-                cloud.template.owner.subject,
-            )
+    for cloud, key in new_faults(level, facts.reach, _missing):
+        held = cloud.template
+        own = own_origin(held, key)
+        setting = held.values.get(key)
+        yield Finding(
+            Label(held.owner.head_span if own is None else own.span),
+            f"{held.owner.title} makes particles, but has "
+            + (f"no {key}" if setting is None else f"{key}={setting.text}"),
+            f"give it a{'n' if key == 'elementsize' else ''} {key} above 0",
+            held.owner.subject,
+        )
 
 
 def _missing(cloud: Cloud) -> str | None:
-    if cloud.particles.spawned == 0:
+    if cloud.particles.count == 0:
         return "count"
-    if not cloud.particles.elementsize > 0:
-        return "elementsize"
-    return "material" if cloud.material is None else None
+    return "elementsize" if cloud.particles.elementsize == 0 else None

@@ -22,7 +22,8 @@ def frames_ignored(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     The engine makes room for as many frames as the first `numframes` says and ignores what is beyond
     (sithTrackThing_LoadPathParams in the decompiled engine): a COG that moves the thing there moves it elsewhere.
 
-    A template hands its frames and their number on: a child or thing adds to them, while there is room.
+    A template hands its frames and their number on: a child or thing adds to them, while there is room. A patrol in a
+    template, which has no room at all, is JK425's.
 
     ## Bad
         World things 3
@@ -38,7 +39,8 @@ def frames_ignored(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """
     for held in (*level.resolved_templates.entries, *level.resolved_things):
         faults = [i for i in held.ignored if (i.key, i.reason) in _FAULTS]
-        if faults and not held.leaves_level:
+        patrol = any(i.reason is Reason.BEFORE_BIRTH for i in held.ignored)
+        if faults and not patrol and not held.leaves_level:
             yield Finding(
                 Label(faults[0].origin.span),
                 f"{held.owner.title} {_fault(held, faults)}",

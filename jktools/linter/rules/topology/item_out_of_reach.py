@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
-from jktools.facts.islands import islands
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -16,8 +15,11 @@ def item_out_of_reach(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report items in sectors that no player start leads to.
 
     ## Why it matters
-    Nobody can take them. Sectors hang together by adjoins that let things pass (0x2) or that a script can open; what a
-    value of a placed COG can name counts as reached, since the script may take the player there.
+    Nobody can take them. Players come through adjoins that let things pass (flag 0x2 on the near side; the far side has
+    flags of its own) and do not hold players (0x10), or that a script can open; on lifts; and where a script sends them
+    by `TeleportThing` or `JumpToFrame`. Of a script that is not at hand each number may be a sector, surface or thing
+    that it takes them to. Steps and falls are not looked at, and an item that a script names is left out. Nothing is
+    told where a script may set a player anywhere, as by `SetThingPos`.
 
     ## Bad
         World adjoins 2
@@ -36,17 +38,16 @@ def item_out_of_reach(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World things 4
         2: shield shield .5 1.5 .2 0 0 0 1
     """
-    for island in islands(level, facts.enterable_surfaces):
+    for island in facts.islands:
         if island.items:
             first, *rest = island.items
             more = (
                 f", with {len(rest)} more beside it" if len(rest) > 1 else ", with one more beside it" if rest else ""
             )
-            size = f"{len(island.sectors)} sectors" if len(island.sectors) > 1 else "one sector"
             yield Finding(
                 Label(first.head_span),
                 f"{first.title} is an item in sector {first.sector_index}{more}, but no player start leads to that "
-                f"part of the level ({size})",
+                f"part of the level ({island.size})",
                 "give an adjoin on the way the movement flag (0x2), or move what lies there",
                 first.subject,
                 tuple(Label(thing.head_span, thing.title) for thing in rest),

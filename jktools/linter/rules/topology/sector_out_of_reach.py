@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
-from jktools.facts.islands import islands
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -16,8 +15,8 @@ def sector_out_of_reach(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report sectors that no player start leads to and that hold no item.
 
     ## Why it matters
-    They may be left over from building. Many are meant: skies, rooms for cameras, places behind glass. So this rule is
-    off; parts with items in them are JK226.
+    They may be left over from building. Many are meant: skies, rooms for cameras, niches behind glass that lets nobody
+    in. So this rule is off; parts with items in them are JK226, which tells what counts as a way.
 
     ## Bad
         World adjoins 2
@@ -33,13 +32,12 @@ def sector_out_of_reach(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         World cogs 0
         - 0: door.cog 3 -1 wind.wav
     """
-    for island in islands(level, facts.enterable_surfaces):
+    for island in facts.islands:
         if not island.items:
             first = level.sectors[island.sectors[0]]
-            size = f"{len(island.sectors)} sectors" if len(island.sectors) > 1 else "one sector"
             yield Finding(
                 Label(first.head_span),
-                f"sector {first.index} belongs to a part of the level ({size}), but no player start leads there",
+                f"sector {first.index} belongs to a part of the level ({island.size}), but no player start leads there",
                 "give an adjoin on the way the movement flag (0x2), or delete the part",
                 first.subject,
             )

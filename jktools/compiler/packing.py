@@ -1,0 +1,202 @@
+"""The forms that a column can have in the file: the smallest is written, and each is read back to the same values.
+
+A column is its plain vector, or a `Packed` table of the schema: numbers of fewer bytes, rows of a pool that an index
+names, one row for all, or whole numbers that follow each other. Every part is a vector that can be viewed in place.
+Rows are compared by their bytes, so that -0.0 and each NaN come back as they were.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from jktools.compiler.columns import Column
+
+Array = npt.NDArray[Any]
+
+VECTORS: Mapping[str, str] = {
+    "i8": "i1", "u8": "u1", "i16": "i2", "u16": "u2", "i32": "i4", "u32": "u4", "f32": "f4", "f64": "f8",
+}  # fmt: skip
+"""The vectors of a packed column, and the type of each as numpy names it."""
+INDICES: Mapping[str, str] = {"index8": "u1", "index16": "u2"}
+"""The vectors that name a row of a pool."""
+
+_NARROW = ("u1", "i1", "u2", "i2", "u4", "i4")
+_TABLE = 24
+"""Bytes that a packed column costs beside its vectors, about: its table, the offset to it and its share of vtables."""
+_VECTOR = 8
+"""Bytes that a vector costs beside its numbers: its length, and about as much to the next multiple of 8."""
+_WORTH = 0.75
+"""A pool is kept when it has at most this share of the bytes: it costs every reader one more step."""
+_MOST_POOLED = 1 << 16
+_SHORT = 8
+"""A run of at most so many numbers is written out."""
+
+
+@dataclass(slots=True, eq=False)
+class Stored:
+    """A column as it lies in the file."""
+
+    values: Array | None
+    """(rows, width), or (rows,) for a width of 1; None for whole numbers that follow each other."""
+    index: Array | None = None
+    """Of each row, the row of `values`; None where rows stand for themselves."""
+    count: int = 0
+    """Not 0: how many rows the one row of `values` stands for, or how many numbers follow each other."""
+    first: int = 0
+    """Where there are no `values`: the first of the numbers."""
+    step: float = 0.0
+    """Not 0: the values are (origin + number) * step."""
+    origin: tuple[int, ...] = ()
+    """One for each number of a row; none for zeros."""
+    in_file: bool = True
+    """False for what an absent column stands for."""
+
+    def __len__(self) -> int:
+        if self.index is not None:
+            return len(self.index)
+        return self.count or (0 if self.values is None else len(self.values))
+
+    @property
+    def vectors(self) -> Iterable[Array]:
+        """What of it lies in the file."""
+        return [part for part in (self.values, self.index) if part is not None and self.in_file]
+
+    def is_plain(self, column: Column) -> bool:
+        """Whether it is the vector of the column's own type."""
+        if self.values is None or self.index is not None or self.count or self.step:
+            return False
+        return bool(self.values.dtype == np.dtype(f"<{column.type}"))
+
+    def array(self, column: Column) -> Array:
+        """The column in its declared type: a view of the file where it is stored so, else made."""
+        found = self.rows(column)
+        if self.index is not None:
+            found = found[self.index]
+        elif self.count and self.values is not None:
+            found = np.broadcast_to(found, (self.count, *found.shape[1:]))
+        found.flags.writeable = False
+        return found
+
+    def rows(self, column: Column) -> Array:
+        """The distinct rows in their declared type, as `index` names them; all rows where there is no index."""
+        kind = f"<{column.type}"
+        if self.values is None:
+            return np.arange(self.first, self.first + self.count).astype(kind)
+        if self.step:
+            origin = np.array(self.origin or [0] * column.width, np.float64)
+            shift = origin if column.width > 1 else origin[0]
+            return ((self.values + shift) * self.step).astype(kind)
+        return self.values.astype(kind, copy=False)
+
+    def cost(self, column: Column) -> int:
+        """Bytes in the file, about."""
+        table = 0 if self.is_plain(column) else _TABLE
+        return table + sum(part.nbytes + _VECTOR for part in self.vectors)
+
+
+def absent(column: Column, rows: int) -> Stored:
+    """What a column that is not in the file stands for: rows of 0, or of -1 where that means none."""
+    values = np.full((1, column.width) if column.width > 1 else 1, -1 if column.or_none else 0, f"<{column.type}")
+    return Stored(values, count=rows, in_file=False) if rows else Stored(values[:0], in_file=False)
+
+
+def pack(values: Array, column: Column) -> Stored | None:
+    """The smallest form of a column; None for one that need not be written (see `absent`)."""
+    values = _shaped(values, column)
+    if not len(values):
+        return None
+    if column.rows_of is not None and column.cuts is None and _is_one_row(values, absent(column, 1).array(column)):
+        return None
+    return smallest(Stored(values), column)
+
+
+def pack_group(values: Mapping[str, Array], columns: Mapping[str, Column]) -> dict[str, Stored | None]:
+    """Columns of one group: over one pool of their rows with one index, where that is smaller than each on its own."""
+    alone = {name: pack(values[name], columns[name]) for name in columns}
+    joined = [name for name, stored in alone.items() if stored is not None and not stored.count]
+    if len(joined) < 2:
+        return alone
+    shaped = [_shaped(values[name], columns[name]) for name in joined]
+    found = _pool(np.concatenate([_octets(part) for part in shaped], axis=1))
+    if found is None:
+        return alone
+    first, index = found
+    together: dict[str, Stored | None] = {
+        name: Stored(_narrowed(part[first]), index) for name, part in zip(joined, shaped, strict=True)
+    }
+    # The index is written once, since equal vectors are.
+    cost = _cost(together, columns) - (len(joined) - 1) * (index.nbytes + _VECTOR)
+    return alone | together if cost <= _WORTH * _cost({name: alone[name] for name in joined}, columns) else alone
+
+
+def _cost(stored: Mapping[str, Stored | None], columns: Mapping[str, Column]) -> int:
+    return sum(each.cost(columns[name]) for name, each in stored.items() if each is not None)
+
+
+def _shaped(values: Array, column: Column) -> Array:
+    flat = np.ascontiguousarray(values, f"<{column.type}").reshape(-1)
+    return flat if column.width == 1 else flat.reshape(-1, column.width)
+
+
+def smallest(plain: Stored, column: Column) -> Stored:
+    """The smallest form of rows that stand for themselves; a grid that they count on stays."""
+    values = plain.values
+    assert values is not None
+    narrow = replace(plain, values=_narrowed(values))
+    if _is_one_row(values, values[:1]):
+        forms = [plain, narrow, replace(narrow, values=_narrowed(values[:1]), count=len(values))]
+        return min(forms, key=lambda form: form.cost(column))
+    if _is_run(values, column):
+        return Stored(None, count=len(values), first=int(values[0]))
+    best = min((plain, narrow), key=lambda form: form.cost(column))
+    found = _pool(_octets(values))
+    if found is None:
+        return best
+    first, index = found
+    pooled = replace(plain, values=_narrowed(values[first]), index=index)
+    return pooled if pooled.cost(column) <= _WORTH * best.cost(column) else best
+
+
+def _narrowed(values: Array) -> Array:
+    """Whole numbers in the fewest bytes that hold them; others as they are."""
+    if values.dtype.kind not in "iu" or not values.size:
+        return values
+    least, most = int(values.min()), int(values.max())
+    kind = next(k for k in _NARROW if np.iinfo(k).min <= least and most <= np.iinfo(k).max)
+    return values.astype(f"<{kind}") if np.dtype(kind).itemsize < values.itemsize else values
+
+
+def _is_one_row(values: Array, row: Array) -> bool:
+    return bool((_octets(values) == _octets(row)).all())
+
+
+def _is_run(values: Array, column: Column) -> bool:
+    return (
+        len(values) > _SHORT
+        and column.type in _NARROW
+        and column.width == 1
+        and bool((np.diff(values.astype(np.int64)) == 1).all())
+    )
+
+
+def _octets(rows: Array) -> Array:
+    """(rows, bytes of a row)."""
+    return np.ascontiguousarray(rows).reshape(len(rows), -1).view(np.uint8).reshape(len(rows), -1)
+
+
+def _pool(rows: Array) -> tuple[Array, Array] | None:
+    """Where each distinct row first stands, in that order, and the index of each row among them."""
+    keys = np.ascontiguousarray(rows).view(f"V{rows.shape[1]}").reshape(-1)
+    _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
+    if len(first) > _MOST_POOLED:
+        return None
+    order = np.argsort(first)
+    rank = np.empty(len(first), np.intp)
+    rank[order] = np.arange(len(first))
+    kind = "u1" if len(first) <= 1 << 8 else "<u2"
+    return first[order], rank[inverse.reshape(-1)].astype(kind)

@@ -1,0 +1,373 @@
+"""Which handler's code causes which other handlers to run: pulses, timers and messages between the scripts of a level.
+
+What the player and the world cause, as `touched`, comes from outside. What a script sends to a COG that is not known
+can reach every handler of that message, as can a pulse that it gives to a thing that is not known: such handlers are
+`open`, and so is what those send on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from jktools.facts.cog import ranges
+from jktools.facts.cog.rates import LEAST_DELAY, PULSE, TIMER, TRIGGER, Site
+from jktools.facts.cog.repeats import NEVER, Counter, Repeats
+from jktools.facts.hotspots.clocks import turns_off_own_pulse, turns_off_pulse_of_sender
+from jktools.facts.hotspots.runners import Runner
+from jktools.facts.hotspots.traces import Leaf, leaves
+from jktools.facts.reachability import OF_STATIC
+from jktools.model.cog.messages import LAST_SENDABLE
+from jktools.model.cog.program import Handler
+from jktools.syntax.cog.nodes import Call, Expression
+
+CREATES = frozenset(
+    {
+        "creatething", "createthingnr", "createthingatpos", "createthingatposnr", "createthingatposold",
+        "createthingatposowner", "createthinglocal", "createbackpack", "fireprojectile", "fireprojectiledata",
+        "fireprojectilelocal",
+    }
+)  # fmt: skip
+"""What they answer with is a thing that the level does not place."""
+_CLOCKS: Mapping[str, tuple[str, int]] = {
+    "setpulse": ("pulse", PULSE), "settimer": ("timer", TIMER), "settimerex": ("each timer", TIMER),
+}  # fmt: skip
+_OF_THINGS: Mapping[str, tuple[str, int]] = {"setthingpulse": ("pulse", PULSE), "setthingtimer": ("timer", TIMER)}
+_MESSAGES: Mapping[str, int] = {"sendmessage": 1, "sendmessageex": 1, "sendmessageexradius": 3}
+"""Which argument is the message."""
+PLAYER_VERBS = frozenset({"getlocalplayerthing", "jkgetlocalplayer"})
+SENDER_VERBS = frozenset({"getsenderref"})
+NOT_BY_THINGS = frozenset(
+    {"startup", "loading", "shutdown", "newplayer", "join", "leave", "trigger", *(f"user{i}" for i in range(8))}
+)
+"""Messages whose sender is no thing, or need not be one."""
+_CLASS_SETTER = "setthingclasscog"
+
+
+class Node(NamedTuple):
+    """A handler of a running script."""
+
+    runner: Runner
+    label: str
+
+
+class Sending(NamedTuple):
+    """A call that can run in a handler, or in what it calls."""
+
+    sender: Node
+    site: Site
+    copies: float = 1.0
+    """Messages of one call."""
+
+
+@dataclass(slots=True, eq=False)
+class Clock:
+    """A pulse or timer of a script or of a thing; a script's timers by SetTimerEx are one clock with many hands."""
+
+    kind: str
+    """`pulse`, `timer` or `each timer`."""
+    owner: Runner | int
+    """A script, or the number of a thing."""
+    seconds: float = float("inf")
+    """The least interval that a call asks for."""
+    asked: float = float("inf")
+    """The least of the intervals that the calls ask for at most: no call asks for a longer one by that much."""
+    set_by: list[Sending] = field(default_factory=list)
+    armed: bool = False
+    """Whether the script's flags set it from the start."""
+    once: bool = False
+    """Whether it comes once for each time that it is set."""
+
+
+@dataclass(slots=True)
+class Inputs:
+    """All that makes a handler run."""
+
+    events: float = 0.0
+    """Messages from outside, each cause counted once."""
+    outside: bool = False
+    """Whether the player or the world can cause more of them."""
+    clocks: list[tuple[Clock, int]] = field(default_factory=list)
+    """With how many messages each time brings."""
+    messages: list[Sending] = field(default_factory=list)
+    open: bool = False
+    """Whether it can get messages that are not known."""
+
+
+class Network:
+    """Of all scripts of one level: what can run, and what causes it."""
+
+    def __init__(self, runners: Iterable[Runner], frames: float) -> None:
+        """Find what can run, and all ways between the handlers that can; `frames` are the game's a second."""
+        self.runners = tuple(runners)
+        self.nodes = [Node(r, h.label) for r in self.runners for h in r.analysis.program.handlers]
+        self._listeners: dict[int, list[Node]] = {}
+        for node in self.nodes:
+            self._listeners.setdefault(_handler(node).message.id, []).append(node)
+        self._numbered = {r.number: r for r in self.runners if r.number >= 0}
+        self._class_of = {t.number: r for r in self.runners if r.cog is None and not r.of for t in r.things}
+        self._first_free = 1 + max((n for n in self._numbered if n < OF_STATIC), default=-1)
+        self._players = {t.number for r in self.runners for t in r.things if t.resolved.type == "player"}
+        self._beating: set[int] = set()
+        self.inputs: dict[Node, Inputs] = {}
+        self.clocks: dict[tuple[Runner | int, str], Clock] = {}
+        self.repeats = {runner: _repeats(runner, frames) for runner in self.runners}
+        self._start()
+        self._close()
+
+    def passes(self, node: Node, site: Site) -> Repeats:
+        """How often a handler's run comes to a call, if no other script looks for things in view meanwhile."""
+        return self.repeats[node.runner][node.label].get(site.block, NEVER)
+
+    @property
+    def live(self) -> list[Node]:
+        """The handlers that can run at all."""
+        return [node for node in self.nodes if node in self.inputs]
+
+    def _start(self) -> None:
+        for node in self.nodes:
+            runner, handler = node.runner, _handler(node)
+            for source in runner.analysis.rates.sources[node.label]:
+                if source.site is not None:
+                    continue
+                inputs = self._reached(node)
+                if source.kind in ("pulse", "timer"):
+                    clock = self._clock(runner, source.kind, 0.0, 0.0)
+                    clock.armed = True
+                    inputs.clocks.append((clock, 1))
+                else:
+                    inputs.events += max(len(runner.things), 1) if runner.cog is None and source.kind == "event" else 1
+                    inputs.outside |= source.kind == "event" and handler.message.name != "created"
+
+    def _reached(self, node: Node) -> Inputs:
+        return self.inputs.setdefault(node, Inputs())
+
+    def _clock(self, owner: Runner | int, kind: str, seconds: float, asked: float) -> Clock:
+        clock = self.clocks.setdefault((owner, kind), Clock(kind, owner))
+        clock.seconds, clock.asked = min(clock.seconds, seconds), min(clock.asked, asked)
+        return clock
+
+    def _close(self) -> None:
+        """Follow what runs to what that makes run, each handler once."""
+        pending = self.live
+        while pending:
+            sender = pending.pop()
+            for site in _sites(sender):
+                for found in self._sent(sender, site):
+                    pending.append(found)
+        for clock in self.clocks.values():
+            clock.once = clock.kind == "timer" or (clock.kind == "pulse" and self._turned_off(clock))
+        self._spread()
+
+    def _sent(self, sender: Node, site: Site) -> Iterator[Node]:
+        """Add what a call sends; the handlers that were not known to run before."""
+        name = site.verb.name
+        before = len(self.inputs)
+        if name in _CLOCKS:
+            self._set_own(sender, site, *_CLOCKS[name])
+        elif name in _OF_THINGS:
+            self._set_things(sender, site, *_OF_THINGS[name])
+        elif name in _MESSAGES or name == "sendtrigger":
+            self._message(sender, site)
+        elif name == _CLASS_SETTER:
+            self._carries(sender, site)
+        if len(self.inputs) > before:
+            yield from list(self.inputs)[before:]
+
+    # ---- clocks
+
+    def _set_own(self, sender: Node, site: Site, kind: str, message: int) -> None:
+        low, high = ranges.as_flex(site.arguments[0])
+        if high <= (LEAST_DELAY if kind == "each timer" else 0.0):
+            return
+        clock = self._clock(sender.runner, kind, max(low, 0.0), high)
+        clock.set_by.append(Sending(sender, site))
+        for node in self._listeners.get(message, ()):
+            if node.runner is sender.runner:
+                self._hears(node, clock, 1)
+
+    def _hears(self, node: Node, clock: Clock, copies: int) -> None:
+        clocks = self._reached(node).clocks
+        if all(each is not clock for each, _ in clocks):
+            clocks.append((clock, copies))
+
+    def _set_things(self, sender: Node, site: Site, kind: str, message: int) -> None:
+        low, high = ranges.as_flex(site.arguments[1])
+        if low == high == 0:
+            return
+        self._beating.add(message)
+        numbers, known = self._things(sender, site)
+        hearing = self._listeners.get(message, ())
+        for number in sorted(numbers):
+            clock: Clock | None = None
+            for node in hearing:
+                copies = node.runner.links.get(number, 0)
+                if copies:
+                    clock = clock or self._clock(number, kind, max(low, 0.0), max(high, 0.0))
+                    self._hears(node, clock, copies)
+            if clock is not None:
+                clock.set_by.append(Sending(sender, site))
+        to_come = self._reaches_things_to_come(sender.runner, site)
+        for node in hearing:
+            unsure = not known and (node.runner.links or node.runner.more)
+            if unsure or node.runner.captures or (to_come and node.runner is sender.runner):
+                self._reached(node).open = True
+
+    def _reaches_things_to_come(self, runner: Runner, site: Site) -> bool:
+        """Whether a call can mean a thing that sent a message, and that play created."""
+        given = site.call.arguments[0] if site.call.arguments else None
+        verbs = (runner.analysis.program.verb_of(each) for each in _calls(runner, given))
+        return runner.more and any(verb is not None and verb.name in SENDER_VERBS for verb in verbs)
+
+    def _things(self, sender: Node, site: Site) -> tuple[set[int], bool]:
+        """The numbers of the placed things that a call means, and whether those are all."""
+        number = site.arguments[0].number
+        if number is not None:
+            return {int(number)}, True
+        runner = sender.runner
+        given = site.call.arguments[0] if site.call.arguments else None
+        numbers: set[int] = set()
+        known = True
+        for leaf in [None] if given is None else leaves(runner.analysis, given, starts=True):
+            verb = runner.analysis.program.verb_of(leaf) if isinstance(leaf, Call) else None
+            if isinstance(leaf, int):
+                numbers.add(leaf)
+            elif verb is not None and verb.name in PLAYER_VERBS:
+                numbers |= self._players
+            elif verb is not None and verb.name in SENDER_VERBS:
+                numbers |= {thing.number for thing in runner.things}
+                known &= self._is_sent_by_thing(sender)
+            elif verb is None or verb.name not in CREATES:
+                known = False
+        return numbers, known
+
+    def _is_sent_by_thing(self, node: Node) -> bool:
+        """Whether the sender of every message of a handler is a thing that carries the script."""
+        message = _handler(node).message
+        if node.runner.cog is not None or node.runner.of or message.name in NOT_BY_THINGS:
+            return False
+        own = {site.verb.name for site in node.runner.analysis.rates.sites} & _CLOCKS.keys()
+        return message.id not in (PULSE, TIMER) or not own
+
+    def _turned_off(self, clock: Clock) -> bool:
+        hearing = [node for node, inputs in self.inputs.items() if any(each is clock for each, _ in inputs.clocks)]
+        if isinstance(clock.owner, Runner):
+            return all(turns_off_own_pulse(node.runner.analysis, node.label) for node in hearing)
+        return all(turns_off_pulse_of_sender(node.runner.analysis, node.label, clock.owner) for node in hearing)
+
+    # ---- messages
+
+    def _message(self, sender: Node, site: Site) -> None:
+        name = site.verb.name
+        if name == "sendtrigger":
+            wanted = [TRIGGER]
+        else:
+            low, high = ranges.as_int(site.arguments[_MESSAGES[name]])
+            high = min(high, LAST_SENDABLE[sender.runner.analysis.program.vocabulary.game])
+            wanted = list(range(max(low, 0), high + 1))
+        targets, known = None, True
+        if name in ("sendmessage", "sendmessageex"):
+            targets, known = self._cogs(sender.runner, site)
+        for message in wanted:
+            for node in self._listeners.get(message, ()):
+                if targets is None or node.runner in targets:
+                    copies = 1.0
+                    if name == "sendmessageexradius":
+                        copies = float(sum(node.runner.links.values()))
+                    self._reached(node).messages.append(Sending(sender, site, copies))
+                elif not known:
+                    self._reached(node).open = True
+
+    def _cogs(self, runner: Runner, site: Site, argument: int = 0) -> tuple[set[Runner], bool]:
+        """The scripts that an argument of a call names, and whether those are all."""
+        number = site.arguments[argument].number
+        if number is not None:
+            target = self._of_number(int(number))
+            return target or set(), target is not None
+        given = site.call.arguments[argument] if len(site.call.arguments) > argument else None
+        found: set[Runner] = set()
+        known = True
+        for leaf in [None] if given is None else leaves(runner.analysis, given, starts=True):
+            targets = self._of_leaf(runner, leaf)
+            known &= targets is not None
+            found |= targets or set()
+        return found, known
+
+    def _of_leaf(self, runner: Runner, leaf: Leaf) -> set[Runner] | None:
+        """The scripts that a value names; None where that is not known."""
+        if isinstance(leaf, int):
+            return self._of_number(leaf)
+        verb = runner.analysis.program.verb_of(leaf) if leaf is not None else None
+        if verb is None or leaf is None:
+            return None
+        if verb.name == "getselfcog":
+            return {runner}
+        if verb.name == "getthingclasscog":
+            given = runner.analysis.known.arguments.get(leaf)
+            number = None if given is None else given[0].number
+            carried = None if number is None else self._class_of.get(int(number))
+            return {carried} if carried is not None else None
+        return None
+
+    def _of_number(self, number: int) -> set[Runner] | None:
+        """The script of a number; None where it can be a class COG: what numbers those get is not known."""
+        if number in self._numbered:
+            return {self._numbered[number]}
+        return None if self._first_free <= number < OF_STATIC else set()
+
+    def _carries(self, sender: Node, site: Site) -> None:
+        """A thing that takes on a class COG sends it all that happens to it."""
+        targets, known = self._cogs(sender.runner, site, 1)
+        for node in self.nodes:
+            if node.runner in targets or not known:
+                self._reached(node).open = True
+
+    # ---- what is not known
+
+    def _spread(self) -> None:
+        """Whoever gets messages from an open handler is open; a clock bounds what it passes on."""
+        quiet = {PULSE, TIMER} - self._beating
+        for node, inputs in self.inputs.items():
+            inputs.open |= node.runner.more and _handler(node).message.id not in quiet
+        opened = {node for node, inputs in self.inputs.items() if inputs.open}
+        grown = True
+        while grown:
+            asleep = {node.runner for node in opened}
+            more = {
+                node
+                for node, inputs in self.inputs.items()
+                if node not in opened and any(self._is_loose(s, opened, asleep) for s in inputs.messages)
+            }
+            opened |= more
+            grown = bool(more)
+        for node in opened:
+            self.inputs[node].open = True
+
+    def _is_loose(self, sending: Sending, opened: set[Node], asleep: set[Runner]) -> bool:
+        """Whether a call can happen more often than is known; a message that finds a script asleep adds turns."""
+        if sending.sender in opened:
+            return True
+        return sending.sender.runner in asleep and self.passes(sending.sender, sending.site).per_interruption > 0
+
+
+def _repeats(runner: Runner, frames: float) -> Mapping[str, Mapping[int, Repeats]]:
+    each = runner.analysis
+    counter = Counter(each.program, each.flow, each.reach, each.known, frames=frames, undisturbed=True)
+    return {h.label: counter.of_handler(each.flow.label_block[h.label]) for h in each.program.handlers}
+
+
+def _sites(node: Node) -> Iterator[Site]:
+    rates = node.runner.analysis.rates
+    reached = rates.repeats[node.label]
+    return (site for site in rates.sites if site.block in reached)
+
+
+def _calls(runner: Runner, given: Expression | None) -> Iterator[Call]:
+    for leaf in () if given is None else leaves(runner.analysis, given):
+        if isinstance(leaf, Call):
+            yield leaf
+
+
+def _handler(node: Node) -> Handler:
+    return node.runner.analysis.program.handler_of[node.label]

@@ -1,0 +1,233 @@
+// The columns of a compiled level, in whichever form the file holds them, and the checks that a reader owes them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include "../level_generated.h"
+
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
+#error "jklb reads the file in place: little-endian machines only"
+#endif
+
+namespace jklb {
+
+// One column: rows of `width` numbers of type T, read where they lie. Of a column that passed the checks every row can
+// be read; of another none.
+template <typename T>
+class Column {
+public:
+    Column() = default;
+
+    // Of a column that the file does not hold: so many rows of `fill`.
+    Column(std::size_t rows, T fill) : rows_(rows), fill_(fill) {}
+
+    Column(const flatbuffers::Vector<T>* plain, int width) : width_(width) {
+        take(plain);
+        rows_ = value_rows_;
+    }
+
+    Column(const jktools::Packed& packed, int width)
+        : packed_(true), width_(width), count_(packed.count()), first_(packed.first()), step_(packed.step()),
+          origin_(packed.origin()) {
+        take(packed.i8()) || take(packed.u8()) || take(packed.i16()) || take(packed.u16()) || take(packed.i32()) ||
+            take(packed.u32()) || take(packed.f32()) || take(packed.f64());
+        take_index(packed.index8()) || take_index(packed.index16());
+        rows_ = index_ ? index_rows_ : count_ ? count_ : value_rows_;
+    }
+
+    std::size_t rows() const { return rows_; }
+
+    // Number `lane` of a row.
+    T operator()(std::size_t row, int lane = 0) const {
+        if (kind_ == kNothing) return packed_ ? static_cast<T>(first_ + static_cast<std::int64_t>(row)) : fill_;
+        if (index_) row = index_bytes_ == 1 ? read<std::uint8_t>(index_, row) : read<std::uint16_t>(index_, row);
+        else if (count_) row = 0;
+        return value(row, lane);
+    }
+
+    // The numbers in place, or null where the file holds them in another form or not at a multiple of their size.
+    const T* plain() const {
+        if (packed_ || kind_ == kNothing || reinterpret_cast<std::uintptr_t>(values_) % alignof(T)) return nullptr;
+        return reinterpret_cast<const T*>(values_);
+    }
+
+private:
+    friend class Checks;
+    enum Kind { kI8, kU8, kI16, kU16, kI32, kU32, kF32, kF64, kNothing };
+
+    template <typename V>
+    static constexpr Kind kind_of() {
+        if (std::is_floating_point<V>::value) return sizeof(V) == 4 ? kF32 : kF64;
+        const int unsigned_one = std::is_unsigned<V>::value;
+        return static_cast<Kind>((sizeof(V) == 1 ? 0 : sizeof(V) == 2 ? 2 : 4) + unsigned_one);
+    }
+
+    template <typename V>
+    bool take(const flatbuffers::Vector<V>* vector) {
+        if (!vector) return false;
+        kind_ = kind_of<V>();
+        values_ = reinterpret_cast<const unsigned char*>(vector->data());
+        value_rows_ = vector->size() / static_cast<unsigned>(width_);
+        return true;
+    }
+
+    template <typename V>
+    bool take_index(const flatbuffers::Vector<V>* vector) {
+        if (!vector) return false;
+        index_ = reinterpret_cast<const unsigned char*>(vector->data());
+        index_rows_ = vector->size();
+        index_bytes_ = sizeof(V);
+        return true;
+    }
+
+    // Copied out byte by byte, since a damaged file can hold vectors at any place.
+    template <typename V>
+    static V read(const unsigned char* data, std::size_t place) {
+        V value;
+        std::memcpy(&value, data + place * sizeof value, sizeof value);
+        return value;
+    }
+
+    T value(std::size_t row, int lane) const {
+        const std::size_t place = row * static_cast<unsigned>(width_) + static_cast<unsigned>(lane);
+        switch (kind_) {
+            case kI8: return whole(read<std::int8_t>(values_, place), lane);
+            case kU8: return whole(read<std::uint8_t>(values_, place), lane);
+            case kI16: return whole(read<std::int16_t>(values_, place), lane);
+            case kU16: return whole(read<std::uint16_t>(values_, place), lane);
+            case kI32: return whole(read<std::int32_t>(values_, place), lane);
+            case kU32: return whole(read<std::uint32_t>(values_, place), lane);
+            case kF32: return static_cast<T>(read<float>(values_, place));
+            default: return narrow(read<double>(values_, place));
+        }
+    }
+
+    T whole(std::int64_t number, int lane) const {
+        if (step_ == 0) return static_cast<T>(number);
+        const std::int32_t origin = origin_ && origin_->size() ? origin_->Get(static_cast<unsigned>(lane)) : 0;
+        return narrow((static_cast<double>(number) + origin) * step_);
+    }
+
+    static T narrow(double x) {
+        if constexpr (std::is_same<T, float>::value) {
+            constexpr double kBeyond = 0x1.ffffffp127;  // what rounds to infinity; the language leaves that cast open
+            if (std::abs(x) >= kBeyond) return std::copysign(std::numeric_limits<float>::infinity(), x > 0 ? 1.f : -1.f);
+        }
+        return static_cast<T>(x);
+    }
+
+    bool packed_ = false;
+    Kind kind_ = kNothing;
+    int width_ = 1, index_bytes_ = 0;
+    std::size_t rows_ = 0, value_rows_ = 0, index_rows_ = 0, count_ = 0;
+    const unsigned char *values_ = nullptr, *index_ = nullptr;
+    std::int64_t first_ = 0;
+    double step_ = 0;
+    const flatbuffers::Vector<std::int32_t>* origin_ = nullptr;
+    T fill_ = 0;
+};
+
+// A column of a table: the plain vector, or its packed form, or neither.
+template <typename T>
+Column<T> column(const flatbuffers::Vector<T>* plain, const jktools::Packed* packed, int width, std::size_t rows,
+                 T fill = 0) {
+    if (plain) return {plain, width};
+    return packed ? Column<T>(*packed, width) : Column<T>(rows, fill);
+}
+
+// What is wrong with columns: the first fault found, in one sentence.
+class Checks {
+public:
+    // Of a file of so many bytes.
+    explicit Checks(std::size_t size) : size_(size) {}
+
+    const std::string& fault() const { return fault_; }
+
+    void refuse(const std::string& fault) {
+        if (fault_.empty()) fault_ = fault;
+    }
+
+    // That the parts of a packed column fit each other, and it claims no more rows than a file of this size can.
+    template <typename T>
+    void form(const char* name, const Column<T>& c) {
+        if (!fault_.empty() || !c.packed_) return;
+        const bool has_values = c.kind_ != Column<T>::kNothing, floats = std::is_floating_point<T>::value;
+        const bool held_floats = c.kind_ == Column<T>::kF32 || c.kind_ == Column<T>::kF64;
+        const std::size_t origins = c.origin_ ? c.origin_->size() : 0;
+        if (c.count_ > size_)
+            say(name, "claims " + std::to_string(c.count_) + " rows, more than the file has bytes");
+        else if (!has_values && (floats || c.width_ != 1 || c.index_ || !c.count_))
+            say(name, "has no values");
+        else if (!has_values)
+            return;
+        else if (c.count_ && (c.index_ || c.value_rows_ != 1))
+            say(name, "has " + std::to_string(c.value_rows_) + " rows for one that stands for all");
+        else if (const std::size_t most = greatest_index(c); c.index_rows_ && most >= c.value_rows_)
+            say(name, "takes row " + std::to_string(most) + " of a pool of " + std::to_string(c.value_rows_));
+        else if (c.step_ != 0 && (held_floats || !floats || !std::isfinite(c.step_) || c.step_ < 0 ||
+                                  (origins && origins != static_cast<unsigned>(c.width_))))
+            say(name, "is no grid");
+        else if (c.step_ == 0 && (origins || held_floats != floats))
+            say(name, std::string("holds ") + kNames[c.kind_] + " for " + type_name<T>());
+    }
+
+    template <typename T>
+    void rows(const char* name, const Column<T>& c, std::size_t wanted) {
+        if (fault_.empty() && c.rows() != wanted)
+            say(name, "has " + std::to_string(c.rows()) + " rows, but should have " + std::to_string(wanted));
+    }
+
+    // That a column cuts `end` rows in order.
+    void cuts(const char* name, const Column<std::uint32_t>& c, std::size_t end) {
+        if (!fault_.empty()) return;
+        bool good = c.rows() > 0 && c(0) == 0 && c(c.rows() - 1) == end;
+        for (std::size_t i = 1; good && i < c.rows(); ++i) good = c(i - 1) <= c(i);
+        if (!good) say(name, "should run from 0 to " + std::to_string(end) + " without a step back, but does not");
+    }
+
+    // That every number of a column is at least `least` and below the count of what it names.
+    template <typename T>
+    void indices(const char* name, const Column<T>& c, int least, std::size_t count, const char* what) {
+        if (!fault_.empty()) return;
+        const auto bound = static_cast<std::int64_t>(count);
+        for (std::size_t i = 0; i < c.rows(); ++i) {
+            const std::int64_t value = c(i);
+            if (value >= least && value < bound) continue;
+            return say(name, std::to_string(i) + " is " + std::to_string(value) + ", but there are " +
+                                 std::to_string(count) + " " + what);
+        }
+    }
+
+private:
+    static constexpr const char* kNames[] = {"int8",  "uint8",  "int16",   "uint16",
+                                             "int32", "uint32", "float32", "float64"};
+
+    template <typename T>
+    static std::string type_name() {
+        const char kind = std::is_floating_point<T>::value ? 'f' : std::is_unsigned<T>::value ? 'u' : 'i';
+        return kind + std::to_string(sizeof(T));
+    }
+
+    template <typename T>
+    static std::size_t greatest_index(const Column<T>& c) {
+        std::size_t most = 0;
+        for (std::size_t i = 0; i < c.index_rows_; ++i)
+            most = std::max<std::size_t>(most, c.index_bytes_ == 1
+                                                   ? Column<T>::template read<std::uint8_t>(c.index_, i)
+                                                   : Column<T>::template read<std::uint16_t>(c.index_, i));
+        return most;
+    }
+
+    void say(const char* name, const std::string& what) { fault_ = std::string(name) + " " + what; }
+
+    std::size_t size_;
+    std::string fault_;
+};
+
+}  // namespace jklb

@@ -1,0 +1,9 @@
+// Reads compiled levels (.jklb) of jktools and answers questions about them: see README.md.
+#pragma once
+
+#include "drop.hpp"
+#include "level.hpp"
+#include "locate.hpp"
+#include "mesh.hpp"
+#include "sight.hpp"
+#include "walking.hpp"

@@ -1,0 +1,164 @@
+// A compiled level: opened, checked once, and read in place.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "mapping.hpp"
+#include "sections_generated.hpp"
+
+namespace jklb {
+
+inline constexpr unsigned kFormatMajor = 1, kFormatMinor = 2;
+
+// What a damaged file is refused for is told; a file that opens can be read everywhere without another check. The
+// checksum is not compared: `jktools inspect --verify` does that.
+class Level {
+public:
+    // Maps a file. Without a level, `error` is one sentence.
+    static std::optional<Level> open(const std::string& path, std::string& error) {
+        Mapping mapping;
+        if (!mapping.open(path, error)) {
+            error = "cannot read " + path + ": " + error;
+            return std::nullopt;
+        }
+        const void* data = mapping.data();
+        const std::size_t size = mapping.size();
+        std::optional<Level> level = from_memory(data, size, error, path);
+        if (level) level->mapping_ = std::move(mapping);
+        return level;
+    }
+
+    // Reads a buffer that starts at a multiple of 8 bytes and outlives the level. `name` is for `error`.
+    static std::optional<Level> from_memory(const void* data, std::size_t size, std::string& error,
+                                            const std::string& name = "<memory>") {
+        Level level;
+        error = level.take(static_cast<const unsigned char*>(data), size);
+        if (error.empty()) return level;
+        error = "cannot read " + name + ": " + error;
+        return std::nullopt;
+    }
+
+    // The FlatBuffers table, for what has no column: settings, inputs, passes, omissions, world.
+    const jktools::Level& root() const { return *root_; }
+
+    const Sections& sections() const { return sections_; }
+    const Geometry& geometry() const { return *sections_.geometry; }
+
+    std::size_t size() const { return size_; }
+    std::size_t strings() const { return strings_; }
+
+    // A text of the level, by the index that columns hold.
+    std::string_view string(std::size_t index) const {
+        if (!has_text()) return root_->strings()->Get(static_cast<unsigned>(index))->string_view();
+        const std::uint32_t start = text_.text_start(index), end = text_.text_start(index + 1);
+        return {reinterpret_cast<const char*>(root_->text()->data()) + start, end - start - 1};
+    }
+
+private:
+    static constexpr unsigned kTextSince = 2;  // the minor version that brought Level.text
+
+    bool has_text() const { return root_->format_minor() >= kTextSince; }
+
+    // What is wrong with a buffer, or nothing.
+    std::string take(const unsigned char* data, std::size_t size) {
+        constexpr flatbuffers::uoffset_t kMostDepth = 16, kMostTables = 10'000'000;
+        if (reinterpret_cast<std::uintptr_t>(data) % 8) return "the buffer does not start at a multiple of 8 bytes";
+        if (size < 8 || !jktools::LevelBufferHasIdentifier(data)) return "not a compiled level (no JKLB mark)";
+        if (size >= FLATBUFFERS_MAX_BUFFER_SIZE) return "the file is cut off or damaged; build it again";
+        flatbuffers::Verifier verifier(data, size, kMostDepth, kMostTables);
+        if (!jktools::VerifyLevelBuffer(verifier)) return "the file is cut off or damaged; build it again";
+        root_ = jktools::GetLevel(data);
+        size_ = size;
+        if (root_->format_major() != kFormatMajor)
+            return "format version " + version() + ", but this reader reads " + std::to_string(kFormatMajor) +
+                   ".x; build it again or use another version";
+        const std::string fault = check();
+        if (fault.empty()) return fault;
+        if (root_->format_minor() > kFormatMinor)
+            return "it is of format " + version() + ", and this reader reads up to " + std::to_string(kFormatMajor) +
+                   "." + std::to_string(kFormatMinor) + " of it; use a newer version (" + fault + ")";
+        return "the file is damaged; build it again (" + fault + ")";
+    }
+
+    std::string version() const {
+        return std::to_string(root_->format_major()) + "." + std::to_string(root_->format_minor());
+    }
+
+    std::string check() {
+        const unsigned minor = root_->format_minor();
+        Checks checks(size_);
+        sections_ = Sections(*root_);
+        if (!sections_.resources) return "has no resources";
+        if (!sections_.geometry) return "has no geometry";
+        strings_ = root_->strings()->size();
+        if (has_text()) check_text(checks, minor);
+        check_sections(checks, sections_, strings_, minor);
+        if (checks.fault().empty()) check_surface_ranges(checks);
+        if (has_text() && root_->omissions())
+            for (const jktools::Omission* each : *root_->omissions())
+                check_omission(checks, Omission(*each, minor), strings_);
+        if (checks.fault().empty()) check_visible_rows(checks);
+        return checks.fault();
+    }
+
+    // That the strings are cut in order, each with a zero byte behind it.
+    void check_text(Checks& checks, unsigned minor) {
+        text_ = Text(*root_, minor);
+        check_level(checks, text_);
+        if (!checks.fault().empty()) return;
+        strings_ = text_.text_start.rows() - 1;
+        bool good = true;
+        for (std::size_t i = 0; good && i < strings_; ++i)
+            good = text_.text_start(i) < text_.text_start(i + 1) && text_.text(text_.text_start(i + 1) - 1) == 0;
+        if (!good) checks.refuse("level.text should have a zero byte behind each string, but has not");
+    }
+
+    void check_surface_ranges(Checks& checks) const {
+        const Geometry& g = geometry();
+        const auto there = static_cast<std::int64_t>(g.surface_flags.rows());
+        for (std::size_t i = 0; i < g.sector_flags.rows(); ++i) {
+            const std::int64_t first = g.sector_first_surface(i), count = g.sector_surface_count(i);
+            if (first >= 0 && count >= 0 && first + count <= there) continue;
+            return checks.refuse("geometry.sector_first_surface " + std::to_string(i) + " claims " +
+                                 std::to_string(count) + " surfaces from " + std::to_string(first) +
+                                 ", but there are " + std::to_string(there));
+        }
+    }
+
+    // That every row of visible sectors expands to a bit for each sector.
+    void check_visible_rows(Checks& checks) const {
+        if (!sections_.visibility) return;
+        const Visibility& v = *sections_.visibility;
+        const std::size_t wanted = (geometry().sector_flags.rows() + 7) / 8;
+        for (std::size_t i = 0; i < v.sector.rows(); ++i) {
+            const std::size_t end = v.row_start(i + 1);
+            std::size_t bytes = 0, run = 0;  // of the zeros before
+            bool good = true;
+            for (std::size_t k = v.row_start(i); good && k < end; ++k) {
+                if (v.row(k) != 0) {
+                    ++bytes;
+                    run = 0;
+                    continue;
+                }
+                // A run that could be longer ends in 255; no run of none.
+                good = ++k < end && v.row(k) != 0 && (run == 0 || run == 255);
+                if (good) bytes += run = v.row(k);
+            }
+            if (!good || bytes != wanted)
+                return checks.refuse("visibility.row " + std::to_string(i) + " does not expand to " +
+                                     std::to_string(wanted) + " bytes");
+        }
+    }
+
+    Mapping mapping_;
+    const jktools::Level* root_ = nullptr;
+    std::size_t size_ = 0, strings_ = 0;
+    Text text_;
+    Sections sections_;
+};
+
+}  // namespace jklb
