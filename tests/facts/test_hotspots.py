@@ -334,6 +334,13 @@ def test_messages_to_a_cog_that_is_not_known_are_told(target: str) -> None:
     assert [h.more for h in two_scripts([line.replace("user0", "user1") for line in tick], ASKED)] == [False]
 
 
+@pytest.mark.parametrize("verb", ["SetThingClassCog(20, other)", "SetThingCaptureCog(20, other)"])
+def test_a_script_that_a_thing_is_given_to_gets_messages_that_are_not_known(verb: str) -> None:
+    for given, told in ((verb, True), (verb.replace("other", "-1"), False)):
+        (found,) = two_scripts([f"activated: {given}; return;"], [f"pulse: {LOOK} return;"])
+        assert found.more is told
+
+
 def test_what_is_not_known_is_passed_on() -> None:
     """The first script is woken by a message to nobody knows whom, and what it asks of the second is open too."""
     open_ = ["startup: SetPulse(1); return;", "pulse: SendMessage(GetMasterCog(), user1); return;"]

@@ -20,6 +20,7 @@ from jktools.facts.hotspots.traces import Leaf, leaves
 from jktools.facts.reachability import OF_STATIC
 from jktools.model.cog.messages import LAST_SENDABLE
 from jktools.model.cog.program import Handler
+from jktools.model.cog.values import to_int
 from jktools.syntax.cog.nodes import Call, Expression
 
 CREATES = frozenset(
@@ -42,7 +43,10 @@ NOT_BY_THINGS = frozenset(
     {"startup", "loading", "shutdown", "newplayer", "join", "leave", "trigger", *(f"user{i}" for i in range(8))}
 )
 """Messages whose sender is no thing, or need not be one."""
-_CLASS_SETTER = "setthingclasscog"
+_CARRYING = frozenset({"setthingclasscog", "setthingcapturecog"})
+_ARMING = "setcogflags"
+ARMED = 0xC
+"""Flags of a COG: its pulse, its timer is set."""
 
 
 class Node(NamedTuple):
@@ -170,8 +174,10 @@ class Network:
             self._set_things(sender, site, *_OF_THINGS[name])
         elif name in _MESSAGES or name == "sendtrigger":
             self._message(sender, site)
-        elif name == _CLASS_SETTER:
+        elif name in _CARRYING:
             self._carries(sender, site)
+        elif name == _ARMING:
+            self._arms(sender, site)
         if len(self.inputs) > before:
             yield from list(self.inputs)[before:]
 
@@ -317,11 +323,20 @@ class Network:
         return None if self._first_free <= number < OF_STATIC else set()
 
     def _carries(self, sender: Node, site: Site) -> None:
-        """A thing that takes on a class COG sends it all that happens to it."""
+        """A thing that takes on a class COG, or is captured for one, sends it all that happens to it."""
         targets, known = self._cogs(sender.runner, site, 1)
         for node in self.nodes:
             if node.runner in targets or not known:
                 self._reached(node).open = True
+
+    def _arms(self, sender: Node, site: Site) -> None:
+        """The flags of a COG that arm its pulse or timer do so at an interval of which nothing is known."""
+        flags = site.arguments[1].number
+        targets, known = self._cogs(sender.runner, site)
+        if flags is None or to_int(flags) & ARMED:
+            for node in self.nodes:
+                if _handler(node).message.id in (PULSE, TIMER) and (node.runner in targets or not known):
+                    self._reached(node).open = True
 
     # ---- what is not known
 
