@@ -13,16 +13,11 @@ import time
 import numpy as np
 
 from benchmarks.sight_queries import levels, points, things, through_edges
-from jktools.geometry import Drop, Ending, SectorMesh
+from jktools.geometry import Ending, SectorMesh
+from jktools.tradeoff.errors import unlike_rows, wrong_drop
+from jktools.tradeoff.passes import LIMITS
 
 KINDS = {"things": things, "random": points, "edges": through_edges}
-LIMITS = (np.inf, np.inf, 1.0, 0.25)
-"""JKU: the greatest distances asked for, in turn."""
-
-
-def differ(one: Drop, other: Drop) -> int:
-    """Falls with any answer that differs."""
-    return int(np.any([(a != b) & ~((a != a) & (b != b)) for a, b in zip(one, other, strict=True)], axis=0).sum())
 
 
 def main() -> None:
@@ -46,8 +41,8 @@ def main() -> None:
                 mesh.drop(queries.origins, queries.sectors, limits, tier, options.threads)
                 for tier in ("exact", "balanced", "fast")
             )
-            wrong = int(((fast.surface != exact.surface) | (fast.ending != exact.ending)).sum())
-            row = (each, differ(balanced, exact), wrong, int((exact.ending == Ending.FLOOR).sum()))
+            wrong = int(wrong_drop(fast, exact).sum())
+            row = (each, int(unlike_rows(balanced, exact).sum()), wrong, int((exact.ending == Ending.FLOOR).sum()))
             totals[kind] += row
             if row[1]:
                 print(f"{name} {kind}: balanced differs from exact in {row[1]} of {each}")

@@ -8,7 +8,6 @@ the edge. The exit status is 1 if `balanced` differs in such a piece.
 from __future__ import annotations
 
 import argparse
-import itertools
 import sys
 import time
 from collections.abc import Iterator
@@ -20,6 +19,7 @@ from benchmarks.sight_queries import levels
 from jktools.facts.floors import Floors
 from jktools.facts.ledges import SAMPLES
 from jktools.geometry.ledges import BEYOND, Beyond, EdgeWalker
+from jktools.tradeoff.overlay import Intervals, overlay
 
 SAME_DROP = 1e-9
 
@@ -27,26 +27,18 @@ SAME_DROP = 1e-9
 def differing(edges: EdgeWalker, found: Beyond, exact: Beyond) -> Iterator[float]:
     """The lengths, JKU, of the pieces of edges on which two answers differ."""
     length = np.linalg.norm((edges.there - edges.here)[:, :2], axis=1)
-    first = [np.searchsorted(each.edge, np.arange(len(length) + 1)) for each in (found, exact)]
-    for edge in np.unique(exact.edge).tolist():
-        rows = [slice(int(f[edge]), int(f[edge + 1])) for f in first]
-        cuts = np.unique(np.concatenate([found.end[rows[0]], exact.end[rows[1]], [0.0]]))
-        for start, end in itertools.pairwise(cuts):
-            middle = (start + end) / 2
-            a, b = (
-                _at(each, row.start + int(np.searchsorted(each.end[row], middle)), middle)
-                for each, row in zip((found, exact), rows, strict=True)
-            )
-            if a[0] != b[0] or abs(a[1] - b[1]) > SAME_DROP:
-                yield float((end - start) * length[edge])
+    pieces = overlay(*(Intervals(each.edge, each.start, each.end) for each in (found, exact)))
+    one, other = (_at(each, rows, pieces.middle) for each, rows in ((found, pieces.one), (exact, pieces.other)))
+    differs = np.any([a != b for a, b in zip(one[:-1], other[:-1], strict=True)], axis=0)
+    differs |= np.abs(one[-1] - other[-1]) > SAME_DROP
+    yield from ((pieces.end - pieces.start) * length[pieces.edge])[differs].tolist()
 
 
-def _at(found: Beyond, row: int, t: float) -> tuple[tuple[int, ...], float]:
-    part = (t - found.start[row]) / (found.end[row] - found.start[row])
-    drop = float(found.drop_start[row] * (1 - part) + found.drop_end[row] * part)
-    return (int(found.over[row]), int(found.met[row]), int(found.face[row]), int(found.rise[row])), 0.0 if np.isnan(
-        drop
-    ) else drop
+def _at(found: Beyond, row: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, ...]:
+    """What is met at places of edges, and how deep."""
+    part = (place - found.start[row]) / (found.end[row] - found.start[row])
+    drop = found.drop_start[row] * (1 - part) + found.drop_end[row] * part
+    return found.over[row], found.met[row], found.face[row], found.rise[row], np.nan_to_num(drop, nan=0.0)
 
 
 def main() -> int:

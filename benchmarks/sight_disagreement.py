@@ -11,15 +11,10 @@ import time
 
 import numpy as np
 
-from benchmarks.sight_queries import SETS, levels, through_edges
-from jktools.geometry.mesh import SectorMesh, Sight
-
-KINDS = {**SETS, "edges": through_edges}
-
-
-def differ(one: Sight, other: Sight) -> int:
-    """Queries with any answer that differs."""
-    return int(np.any([a != b for a, b in zip(one, other, strict=True)], axis=0).sum())
+from benchmarks.sight_queries import levels
+from jktools.geometry.mesh import SectorMesh
+from jktools.tradeoff.errors import unlike_rows, wrong_sight
+from jktools.tradeoff.passes import KINDS
 
 
 def main() -> None:
@@ -42,8 +37,8 @@ def main() -> None:
                 mesh.sight(*queries, accuracy=tier, threads=options.threads) for tier in ("exact", "balanced", "fast")
             )
             doubts = sum(mesh.doubts(*queries))
-            wrong = int((fast.visible != exact.visible).sum())
-            row = (each, differ(balanced, exact), wrong, int(exact.visible.sum()), doubts)
+            wrong = int(wrong_sight(fast, exact).sum())
+            row = (each, int(unlike_rows(balanced, exact).sum()), wrong, int(exact.visible.sum()), doubts)
             totals[kind] += row
             if row[1]:
                 print(f"{name} {kind}: balanced differs from exact in {row[1]} of {each}")

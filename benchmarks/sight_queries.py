@@ -1,31 +1,18 @@
-"""Queries over real levels: from things to things, between random points, near pairs, and through edges."""
+"""Real levels, and the queries about them that `jktools tradeoff` asks too."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
-
-import numpy as np
-import numpy.typing as npt
 
 from jktools.model import Level
 from jktools.session import load
 from jktools.source import Member, resolve
+from jktools.tradeoff.queries import SETS, Queries, near, points, things, through_edges
+
+__all__ = ["CORPUS", "SETS", "Queries", "levels", "near", "points", "things", "through_edges"]
 
 CORPUS = Path(__file__).parents[2] / "shared/corpus"
-NEAR = 2.0
-"""JKU: how far apart a near pair is at most, along each axis."""
-
-Float64 = npt.NDArray[np.float64]
-
-
-class Queries(NamedTuple):
-    """Origins (n, 3), their sectors (n,), and targets (n, 3)."""
-
-    origins: Float64
-    sectors: npt.NDArray[np.int32]
-    targets: Float64
 
 
 def levels() -> Iterator[tuple[str, Level]]:
@@ -38,70 +25,3 @@ def levels() -> Iterator[tuple[str, Level]]:
                 level = load(member.path)
                 if level.has_geometry and len(level.sectors) > 1:
                     yield f"{path.name}!{member.name}" if len(members) > 1 else path.name, level
-
-
-def things(level: Level, count: int, rng: np.random.Generator) -> Queries:
-    """Pairs of placed things; random points where a level places fewer than two."""
-    table = level.document.things
-    sound = (table.sector >= 0) & (table.sector < len(level.sectors)) & np.isfinite(table.position).all(axis=1)
-    sound[sound] &= level.sound_sectors[table.sector[sound]]
-    position, sector = table.position[sound].astype(np.float64), table.sector[sound].astype(np.int32)
-    if len(sector) < 2:
-        return points(level, count, rng)
-    i, j = rng.integers(len(sector), size=(2, count))
-    return Queries(position[i], sector[i], position[j])
-
-
-def _inside(level: Level, sectors: npt.NDArray[np.int32], rng: np.random.Generator) -> Float64:
-    """A random mean of each sector's vertices."""
-    table = level.document.sectors
-    out = np.empty((len(sectors), 3))
-    for i, s in enumerate(sectors.tolist()):
-        own = level.vertices[table.vertex[table.vertex_start[s] : table.vertex_start[s + 1]]]
-        out[i] = rng.dirichlet(np.ones(len(own))) @ own
-    return out
-
-
-def _sectors(level: Level, count: int, rng: np.random.Generator) -> npt.NDArray[np.int32]:
-    table = level.document.sectors
-    usable = np.flatnonzero(level.sound_sectors & (np.diff(table.vertex_start) > 0) & (table.surface_count > 0))
-    return rng.choice(usable, count).astype(np.int32)
-
-
-def points(level: Level, count: int, rng: np.random.Generator) -> Queries:
-    """Random points of random sectors."""
-    sectors = _sectors(level, count, rng)
-    return Queries(_inside(level, sectors, rng), sectors, _inside(level, _sectors(level, count, rng), rng))
-
-
-def near(level: Level, count: int, rng: np.random.Generator) -> Queries:
-    """Random points and targets at most NEAR away along each axis."""
-    sectors = _sectors(level, count, rng)
-    origins = _inside(level, sectors, rng)
-    return Queries(origins, sectors, origins + rng.uniform(-NEAR, NEAR, origins.shape))
-
-
-def through_edges(level: Level, count: int, rng: np.random.Generator) -> Queries:
-    """Segments from points, vertices and edges of a sector through (or close by, or onto) its vertices and edges."""
-    sectors = _sectors(level, count, rng)
-    table = level.document.surfaces
-    first = level.document.sectors.first_surface[sectors]
-    surface = first + rng.integers(level.document.sectors.surface_count[sectors])
-
-    def note() -> Float64:
-        size = np.diff(table.corner_start)[surface]
-        i = rng.integers(size)
-        here = level.vertices[table.corner_vertex[table.corner_start[surface] + i]].astype(np.float64)
-        there = level.vertices[table.corner_vertex[table.corner_start[surface] + (i + 1) % size]].astype(np.float64)
-        return here + rng.choice([0.0, 0.5, 0.25, 1 / 3], size=(count, 1)) * (there - here)
-
-    goal = note()
-    origins = _inside(level, sectors, rng)
-    surface = first + rng.integers(level.document.sectors.surface_count[sectors])
-    noted = rng.random(count) < 0.4
-    origins[noted] = note()[noted]
-    reach = rng.choice([1.0, 2.0, 3.0], size=(count, 1))
-    return Queries(origins, sectors, origins + reach * (goal - origins))
-
-
-SETS = {"things": things, "random": points, "near": near}

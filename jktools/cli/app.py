@@ -23,6 +23,7 @@ COMMANDS = {
     "cog": "show what COG scripts hold",
     "sight": "explain whether one point of a level sees another",
     "drop": "tell what is straight below a point of a level",
+    "tradeoff": "measure what accuracy costs in a level",
     "template": "explain where a template's or thing's values come from",
     "pack": "list, extract and create GOB packs",
     "explain": "show a rule's documentation",

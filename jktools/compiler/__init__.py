@@ -8,8 +8,8 @@ from jktools.compiler.settings import CompileSettings
 from jktools.compiler.writer import Compilation, compilation, compile_level
 
 __all__ = [
-    "Basin",
     "CHOICES",
+    "Basin",
     "Compilation",
     "CompileError",
     "CompileSettings",

@@ -1,4 +1,4 @@
-"""Questions that a compiled level answers from its own columns: its mesh, the ledges of an edge, the basins of a body."""
+"""What a compiled level answers from its own columns: its mesh, the ledges of an edge, the basins of a body."""
 
 from __future__ import annotations
 
@@ -51,12 +51,12 @@ class Basin(NamedTuple):
     entered: int
     """0x1 walk, 0x2 fall, 0x4 jump, 0x8 a player starts there."""
     left: int
-    """0x1 walk, 0x2 jump, 0x4 mover, 0x8 water, 0x10 deadly, 0x20 unknown; 0: inescapable unless a player starts there."""
+    """0x1 walk, 0x2 jump, 0x4 mover, 0x8 water, 0x10 deadly, 0x20 unknown; 0: inescapable where no player starts."""
 
 
 def plan_of(geometry: Columns) -> Plan:
     """The geometry of a compiled level. What the range check let through is sound but for what numbers alone can be."""
-    finite = np.isfinite(geometry.vertices).all(axis=1)
+    finite: Array = np.logical_and.reduce(np.isfinite(geometry.vertices), axis=1)
     start = geometry.surface_corner_start.astype(np.int32)
     sound_surfaces = (np.diff(start) <= MOST_CORNERS) & ~_any(~finite[geometry.corner_vertex], start[:-1], start[1:])
     first, count = geometry.sector_first_surface, geometry.sector_surface_count

@@ -152,19 +152,22 @@ class SectorMesh:
         """Bytes of native memory held."""
         return self._viewer.memory
 
-    def locate(self, points: npt.ArrayLike, threads: int = 0) -> Int32:
+    def locate(self, points: npt.ArrayLike, accuracy: Accuracy = "balanced", threads: int = 0) -> Int32:
         """Find the sector of each point, (n, 3) JKU, or -1; `location` tells the points in several."""
-        return self.location(points, threads).sector
+        return self.location(points, accuracy, threads).sector
 
-    def location(self, points: npt.ArrayLike, threads: int = 0) -> Location:
-        """Find the sectors that hold each point, (n, 3) JKU, exactly in float64.
+    def location(self, points: npt.ArrayLike, accuracy: Accuracy = "balanced", threads: int = 0) -> Location:
+        """Find the sectors that hold each point, (n, 3) JKU.
 
         A sector holds a point inside when its triangles wind around it, whatever their shape. A sector that is not
         closed holds the points that lie behind none of its triangles. A point on a face that sectors share belongs
-        to the first of them, unless another sector holds it inside. Raises ValueError naming the point that is not
+        to the first of them, unless another sector holds it inside.
+
+        `balanced` and `exact` are exact in float64; `fast` counts what is straight above the point in plain doubles,
+        and takes every sector for closed. threads 0 means one a core. Raises ValueError naming the point that is not
         finite or has a coordinate of 2^150 JKU or more.
         """
-        return Location(*self._viewer.locate(_points(points), threads))
+        return Location(*self._viewer.locate(_points(points), accuracy, threads))
 
     def sight(
         self,

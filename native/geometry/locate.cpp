@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "geometry/checks.hpp"
 #include "geometry/threads.hpp"
 
 namespace jk {
@@ -22,14 +21,18 @@ std::array<double, 3> direction(int probe) {
 
 bool on_triangle(const Fans::Triangle& t, const double* p) {
     if (volume(t.a, t.b, t.c, p).sign != 0) return false;
-    // In the plane: seen from any point off it, p is on the same side of all three edges.
+    double size = 0;  // as great as the coordinates: less would be lost beside them
+    for (const double* corner : {t.a, t.b, t.c})
+        for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(corner[k]));
+    // In the plane: seen from a point before it, the corners turn counter-clockwise around p, or p is on an edge.
     for (int probe = 0; probe < kProbes; ++probe) {
         const auto d = direction(probe);
-        const double eye[3] = {t.a[0] + d[0], t.a[1] + d[1], t.a[2] + d[2]};
+        const double eye[3] = {t.a[0] + size * d[0], t.a[1] + size * d[1], t.a[2] + size * d[2]};
         const int side = volume(t.a, t.b, t.c, eye).sign;
         if (side == 0) continue;
-        return volume(eye, t.a, t.b, p).sign * side >= 0 && volume(eye, t.b, t.c, p).sign * side >= 0 &&
-               volume(eye, t.c, t.a, p).sign * side >= 0;
+        // Four points change hands when they move up by one place.
+        return volume(eye, t.a, t.b, p).sign * side <= 0 && volume(eye, t.b, t.c, p).sign * side <= 0 &&
+               volume(eye, t.c, t.a, p).sign * side <= 0;
     }
     return false;
 }
@@ -114,15 +117,21 @@ Place Locator::place(Index sector, const double* point) const {
     return behind_none(first, end, point);
 }
 
-Location Locator::locate(std::span<const double> points, unsigned threads) const {
-    check_coordinates("point", points);
+Place Locator::rough_place(Index sector, const double* point) const {
+    const auto s = static_cast<std::size_t>(sector), surface = static_cast<std::size_t>(mesh_.sector_first[s]);
+    if (!boxes_[s].holds(point)) return Place::kOutside;
+    return fast_place(fans_, fans_.start[surface],
+                      fans_.start[surface + static_cast<std::size_t>(mesh_.sector_count[s])], point);
+}
+
+Location Locator::locate(std::span<const double> points, bool fast, unsigned threads) const {
     const std::size_t rows = points.size() / 3;
     Location out{std::vector<Index>(rows, -1), std::vector<Index>(rows), std::vector<Index>(rows)};
     share_out(rows, threads, [&](std::size_t row) {
         const double* point = &points[3 * row];
         Index within = -1, beside = -1;
         tree_.find([&](const Box& box) { return box.holds(point); }, [&](Index sector) {
-            const Place found = place(sector, point);
+            const Place found = fast ? rough_place(sector, point) : place(sector, point);
             if (found == Place::kOutside) return;
             const bool inside = found == Place::kInside;
             ++(inside ? out.inside : out.touching)[row];

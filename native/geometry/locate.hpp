@@ -6,10 +6,9 @@
 
 #include "geometry/boxes.hpp"
 #include "geometry/crossing.hpp"
+#include "geometry/fast_locate.hpp"
 
 namespace jk {
-
-enum class Place { kOutside, kOn, kInside };
 
 // Where a point lies: `sector` is the first that holds it inside, or else the first on whose boundary it lies, or -1;
 // `inside` and `touching` count the sectors of either kind.
@@ -28,12 +27,13 @@ public:
     // of one.
     Place place(Index sector, const double* point) const;
 
-    // Throws std::invalid_argument naming the point that is not finite or too great.
-    Location locate(std::span<const double> points, unsigned threads) const;
+    // Every point in every sector, by `place`, or in plain doubles.
+    Location locate(std::span<const double> points, bool fast, unsigned threads) const;
 
     std::size_t memory() const;
 
 private:
+    Place rough_place(Index sector, const double* point) const;
     bool closed(std::size_t sector) const;
     Place behind_none(Index first, Index end, const double* point) const;
     bool winding(Index first, Index end, const Segment& probe, int& turns) const;

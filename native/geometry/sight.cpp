@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "geometry/checks.hpp"
+#include "geometry/exact_locate.hpp"
 #include "geometry/exact_sight.hpp"
 #include "geometry/fast_walk.hpp"
 #include "geometry/threads.hpp"
@@ -17,6 +18,19 @@ void Viewer::check(const Queries& queries) const {
     if (queries.origins.size() != 3 * queries.rows() || queries.targets.size() != queries.origins.size())
         throw std::invalid_argument("origins and targets must have shape (n, 3), sectors (n,)");
     check_indices("sector of origin", queries.sectors, mesh_.sectors());
+}
+
+Location Viewer::locate(std::span<const double> points, Tier tier, unsigned threads) const {
+    check_coordinates("point", points);
+    if (tier != Tier::kExact) return locator_.locate(points, tier == Tier::kFast, threads);
+    const ExactLocator oracle(mesh_);
+    const std::size_t rows = points.size() / 3;
+    Location out{std::vector<Index>(rows), std::vector<Index>(rows), std::vector<Index>(rows)};
+    share_out(rows, threads, [&](std::size_t row) {
+        const ExactLocation found = oracle.locate(&points[3 * row]);
+        out.sector[row] = found.sector, out.inside[row] = found.inside, out.touching[row] = found.touching;
+    });
+    return out;
 }
 
 Sight Viewer::sight(const Queries& queries, Tier tier, unsigned threads) const {

@@ -24,7 +24,9 @@ public:
 
     const SectorMesh& mesh() const { return mesh_; }
     const Fans& fans() const { return fans_; }
-    const Locator& locator() const { return locator_; }
+
+    // Where each point lies (x y z, JKU). Throws std::invalid_argument naming the point that is not finite or too great.
+    Location locate(std::span<const double> points, Tier tier, unsigned threads) const;
 
     // Answers one query a row: from origins (x y z, JKU) in sectors to targets. The rows are shared out among
     // `threads` threads (0: one a core); the answers do not depend on how many. Throws std::invalid_argument naming

@@ -93,7 +93,7 @@ TEST_CASE("sight agrees with an AABB tree over the walls of a level without over
             origins.push_back(anywhere(random));
             targets.push_back(anywhere(random));
         }
-        const auto sectors = viewer.locator().locate(origins, 1).sector;
+        const auto sectors = viewer.locate(origins, jk::Tier::kBalanced, 1).sector;
         const auto found = viewer.sight({origins, sectors, targets}, jk::Tier::kBalanced, 1);
         std::size_t differ = 0, visible = 0;
         for (std::size_t i = 0; i < sectors.size(); ++i) {

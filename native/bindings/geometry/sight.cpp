@@ -40,11 +40,12 @@ auto sees(const Viewer& viewer, Array<double> origins, Array<Index> sectors, Arr
     return hand_over(std::move(found));
 }
 
-auto locate(const Viewer& viewer, Array<double> points, unsigned threads) {
+auto locate(const Viewer& viewer, Array<double> points, const char* accuracy, unsigned threads) {
+    const Tier tier = tier_of(accuracy);
     Location found;
     {
         nb::gil_scoped_release release;
-        found = viewer.locator().locate(view(points), threads);
+        found = viewer.locate(view(points), tier, threads);
     }
     return std::make_tuple(hand_over(std::move(found.sector)), hand_over(std::move(found.inside)),
                            hand_over(std::move(found.touching)));
@@ -89,7 +90,7 @@ void open_sight(nb::module_& m) {
              "Answer whether each target is seen in its sector, uint8, one entry a query.\n\n"
              "target_sectors is (n,) int32, -1 for a target in none; visible the rows of bits of visible_sectors, flat\n"
              "uint8, or empty. Raises ValueError naming the row that is out of bounds.")
-        .def("locate", &locate, nb::arg("points"), nb::arg("threads"),
+        .def("locate", &locate, nb::arg("points"), nb::arg("accuracy"), nb::arg("threads"),
              "Answer (sector, inside, touching), int32, one entry a point of (3n,) float64, JKU.\n\n"
              "sector is the first that holds the point inside, else the first on whose boundary it lies, else -1;\n"
              "inside and touching count the sectors of either kind. Raises ValueError naming the point.")
