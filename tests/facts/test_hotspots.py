@@ -319,6 +319,17 @@ def test_messages_are_followed_to_the_cog_that_a_value_names() -> None:
     assert [(h.calls_per_second, h.more) for h in two_scripts(wrong, ASKED)] == [(0, False)]
 
 
+@pytest.mark.parametrize(("others", "more"), [
+    ([], False), (["activated: return;"], False), (["activated: i = 0; return;"], True),
+    (["activated: k[Rand()] = 0; return;"], True), (["timer: i = 0; return;"], False),
+])  # fmt: skip
+def test_a_counter_that_a_handler_in_between_can_set_back_is_told(others: list[str], more: bool) -> None:
+    tick = ["startup: SetPulse(1); SetTimer(1); return;",
+            "pulse: for (i = 0; i < 3; i = i + 1) SendMessage(other, user0); return;"]  # fmt: skip
+    (found,) = two_scripts([*tick, *others], ASKED)
+    assert (found.calls_per_second, found.more) == (3, more)
+
+
 def test_messages_of_one_script_wake_loops_of_another() -> None:
     tick = ["startup: SetPulse(0.5); return;", "pulse: SendMessage(other, user1); return;"]
     loop = ["startup: while (1) {", LOOK, "Sleep(0.25);", "} return;", "user1: Sleep(1); return;"]
