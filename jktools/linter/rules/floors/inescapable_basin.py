@@ -61,11 +61,12 @@ def inescapable_basin(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             if not basin.is_inescapable:
                 continue
             first = level.surfaces[basin.surfaces[0]]
-            more = f" and {len(basin.surfaces) - 1} more floors" if len(basin.surfaces) > 1 else ""
+            more = f" and {len(basin.surfaces) - 1} more floors lie" if len(basin.surfaces) > 1 else " lies"
+            depths = dict.fromkeys(f"{depth:.4g}" for depth in (basin.shallowest, basin.deepest))
             rims = dict.fromkeys(int(ledges.surface[row]) for row in basin.rows if ledges.of_level[row])
             yield Finding(
                 Label(first.head_span),
-                f"{first.title}{more} lies {basin.shallowest:.4g} to {basin.deepest:.4g} JKU below the floors that "
+                f"{first.title}{more} {' to '.join(depths)} JKU below the floors that "
                 f"lead in, but {ledges.walker.title} gets up {jump:.4g} JKU",
                 "add steps or a lift, or make it deadly",
                 first.subject,
