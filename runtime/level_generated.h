@@ -4805,13 +4805,15 @@ struct Motion FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<double> *stop_run() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_STOP_RUN);
   }
+  /// Jumps at 50 frames a second; at `fast` by the closed form, at `exact` the least over 10 to 120 frames a second.
   const ::flatbuffers::Vector<double> *jump_height() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_JUMP_HEIGHT);
   }
   const ::flatbuffers::Vector<double> *crouched_jump_height() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_CROUCHED_JUMP_HEIGHT);
   }
-  /// Over level ground, from a walk and from a run.
+  /// Until the body is as high again as it started, from a walk and from a run, the forward key held: not until it lands,
+  /// which the hover height decides.
   const ::flatbuffers::Vector<double> *jump_reach() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_JUMP_REACH);
   }

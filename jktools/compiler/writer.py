@@ -49,13 +49,17 @@ def compile_level(level: Level, settings: CompileSettings | None = None) -> byte
     return compilation(level, settings).data
 
 
+WRITING = "write"
+"""What comes behind the passes: the file is put together and checked."""
+
+
 def compilation(
     level: Level,
     settings: CompileSettings | None = None,
     facts: LevelFacts | None = None,
     progress: Progress = lambda _: None,
 ) -> Compilation:
-    """Compile a level.
+    """Compile a level. `progress` is told the name of each pass before it runs, and `WRITING` behind the last.
 
     Raises CompileError when the engine would refuse it or read beyond its lists, PassError when a pass fails and the
     settings do not say to keep going.
@@ -68,6 +72,7 @@ def compilation(
         facts = LevelFacts(level, facts.vocabulary)
     strings = Strings(parameter_keys(level))
     outcomes = run(facts, strings, settings, progress)
+    progress(WRITING)
     data = _assemble(level, settings, strings, outcomes)
     try:
         CompiledLevel(data, level.path)
