@@ -54,6 +54,7 @@ fuzz: $(VENV)/built
 	python -m benchmarks.visibility_missed --each 20
 	python -m benchmarks.ledge_disagreement --places 20000
 	python -m benchmarks.ledge_tiers
+	python -m benchmarks.rebuild
 
 fresh:
 	tests/fresh.sh

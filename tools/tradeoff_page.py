@@ -10,8 +10,7 @@ from __future__ import annotations
 import argparse
 import functools
 import json
-import statistics
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,14 +20,15 @@ from jktools.model import Level
 from jktools.session import Settings, discover, load
 from jktools.session.levels import read_level
 from jktools.tradeoff import PASSES, TIERS, Asked, Plan, Row, measure
+from jktools.tradeoff.plot import draw
 from jktools.tradeoff.write import cell_of
+from tools.tradeoff_text import Figures, page
 
 ROOT = Path(__file__).resolve().parent.parent
 CORPUS = ROOT.parent / "shared" / "corpus"
 FIGURES = "docs/tradeoffs.json"
 PAGE = "docs/tradeoffs.md"
 PLOT = "docs/tradeoffs.svg"
-TEXT = Path(__file__).with_suffix(".txt")
 GROUPS = (
     ("location",),
     ("sight",),
@@ -40,10 +40,7 @@ GROUPS = (
     ("build",),
 )
 """Measured and kept together, the quick ones first."""
-QUERIES, SEED = 12_000, 1997
-
-Figures = dict[str, dict[str, Any]]
-"""By level and pass: why there is nothing, or the cells by tier as `jktools tradeoff --json` has them."""
+QUERIES, SEED = 8_000, 1997
 
 
 def levels() -> list[tuple[str, str, Level]]:
@@ -59,7 +56,9 @@ def levels() -> list[tuple[str, str, Level]]:
     return sorted(found, key=lambda each: len(each[2].surfaces))
 
 
-def run(figures: Figures, again: Sequence[str], seconds: float, keep: Callable[[], None]) -> None:
+def run(
+    figures: Figures, chosen: Sequence[str], again: Sequence[str], seconds: float, keep: Callable[[], None]
+) -> None:
     """Measure what the figures do not hold."""
     found = levels()
     names = {name for name, *_ in found}
@@ -68,7 +67,7 @@ def run(figures: Figures, again: Sequence[str], seconds: float, keep: Callable[[
     for each in figures.values():
         for name in again:
             each.pop(name, None)
-    for group in GROUPS:
+    for group in (group for group in GROUPS if not chosen or set(group) & set(chosen)):
         for name, path, level in found:
             held = figures.setdefault(name, {})
             held["level"] = {
@@ -80,7 +79,7 @@ def run(figures: Figures, again: Sequence[str], seconds: float, keep: Callable[[
                 continue
             # The exact build is its parts again: minutes that tell nothing new.
             tiers = TIERS[:2] if group == ("build",) else TIERS
-            plan = Plan(Asked(Engine.RESEARCH, QUERIES, SEED), group, tiers, seconds, repeat_seconds=4.0)
+            plan = Plan(Asked(Engine.RESEARCH, QUERIES, SEED), group, tiers, seconds, repeat_seconds=0.5)
             for row in measure(functools.partial(load, path), plan):
                 held[row.found.name] = _kept(row)
             print(name, ", ".join(group), flush=True)
@@ -127,41 +126,33 @@ def write(figures: Figures) -> None:
     fresh.replace(target)
 
 
-class Corpus:
-    """The figures of all levels together."""
+def plot(figures: Figures) -> bytes:
+    """Time against error of all levels, one panel a pass."""
+    panels = []
+    for name, found in PASSES.items():
+        points = [
+            (tier, held[name][tier]["seconds"], held[name][tier]["worst"])
+            for held in figures.values()
+            for tier in TIERS
+            if "worst" in held.get(name, {}).get(tier, {})
+        ]
+        if points:
+            panels.append((name, found.measure, points))
+    return draw(panels, f"{len(figures)} levels of real mods: down and left is better", "svg")
 
-    def __init__(self, figures: Figures) -> None:
-        self.figures = figures
 
-    def cells(self, name: str, tier: str, *, beside: str = "") -> Iterator[dict[str, Any]]:
-        """One pass at one tier, of the levels where it was measured there and at another tier."""
-        for each in self.figures.values():
-            held = each.get(name, {})
-            if all("seconds" in held.get(t, {}) for t in (tier, beside or tier)):
-                yield held[tier]
-
-    def ratio(self, name: str, tier: str, other: str, key: str = "seconds") -> float:
-        """How many times as long, the geometric mean over the levels."""
-        pairs = zip(self.cells(name, tier, beside=other), self.cells(name, other, beside=tier), strict=True)
-        return statistics.geometric_mean([max(a[key], 1e-9) / max(b[key], 1e-9) for a, b in pairs])
-
-    def total(self, name: str, tier: str, key: str) -> float:
-        """The sum of one measure of the error, or of a figure, over the levels."""
-        return sum(each.get(key, each.get("measures", {}).get(key, 0)) or 0 for each in self.cells(name, tier))
-
-    def most(self, name: str, tier: str, key: str) -> float:
-        """The greatest over the levels."""
-        found = (each.get(key, each.get("measures", {}).get(key, 0)) or 0 for each in self.cells(name, tier))
-        return max(found, default=0)
-
-    def count(self, name: str, tier: str) -> int:
-        """Levels in which a pass was measured."""
-        return sum(1 for _ in self.cells(name, tier))
+def tradeoff_page(into: Path) -> Path:
+    """Write the page from the figures that are kept."""
+    target = into / PAGE
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_text(page(read(), QUERIES, SEED))
+    return target
 
 
 def main() -> None:
     """The command line."""
     arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("--passes", default="", help="those to measure, between commas; all by default")
     arguments.add_argument("--again", default="", help="passes to measure anew, between commas")
     arguments.add_argument("--time-limit", type=float, default=600.0, help="seconds a cell")
     arguments.add_argument("--write", action="store_true", help="measure nothing")
@@ -171,8 +162,11 @@ def main() -> None:
         if not CORPUS.exists():
             print(f"no levels at {CORPUS}: nothing measured")
             return
-        run(figures, [name for name in options.again.split(",") if name], options.time_limit, lambda: write(figures))
+        chosen, again = ([name for name in text.split(",") if name] for text in (options.passes, options.again))
+        run(figures, chosen, again, options.time_limit, lambda: write(figures))
         write(figures)
+    print(tradeoff_page(ROOT))
+    (ROOT / PLOT).write_bytes(plot(figures))
 
 
 if __name__ == "__main__":

@@ -19,15 +19,12 @@ from jktools.compiler.errors import CompiledFileError, CompileError
 from jktools.compiler.grid import grid_of, on_grid
 from jktools.compiler.packing import VECTORS, Stored, pack, pack_group
 from jktools.compiler.passes import Outcome, Progress, run
-from jktools.compiler.reader import FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
+from jktools.compiler.reader import ALIGNMENT, FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
 from jktools.compiler.sections import Columns, Strings, parameter_keys
 from jktools.compiler.settings import CompileSettings
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.model import Level
-
-ALIGNMENT = 8
-"""Bytes; every vector starts at a multiple, so that a mapped file can be viewed as arrays of any scalar."""
 
 FIRST_GUESS = 1 << 20
 """Bytes that the builder starts with; it grows by doubling."""

@@ -12,6 +12,7 @@ from jktools.engine.flags import PhysicsFlag
 from jktools.engine.gravity import WORLD_GRAVITY
 from jktools.engine.hover import hover_height
 from jktools.engine.jump import CROUCHED_JUMP_FACTOR, apex, fall_damage, landing_speed
+from jktools.engine.lip import highest_lip
 from jktools.engine.profile import Engine
 from jktools.engine.reattach import reattach_distance
 from jktools.facts.motion import body_of
@@ -43,8 +44,8 @@ class Walker:
 
     @property
     def title(self) -> str:
-        """For messages: its first template, and how many more there are."""
-        more = f" and {len(self.names) - 1} more" if len(self.names) > 1 else ""
+        """For messages, with a verb in the singular: its first template, and how many more have the same body."""
+        more = f" (and {len(self.names) - 1} more)" if len(self.names) > 1 else ""
         return f"{self.names[0]}{more}"
 
     def hover(self, engine: Engine) -> float:
@@ -59,8 +60,12 @@ class Walker:
         return float(reattach_distance(offset, b.movesize, height=b.height, engine=engine))
 
     def clearance(self, engine: Engine) -> float:
-        """JKU under its sphere: the highest step that it walks up."""
+        """JKU under its sphere: the highest step that it passes over."""
         return self.hover(engine) - self.body.movesize
+
+    def lip(self, engine: Engine) -> float:
+        """The highest step that it surely walks up, sliding over the edge, JKU. Simulated once for each body."""
+        return highest_lip(self.body, self.gravity, engine)
 
     def apex(self, *, crouching: bool = False) -> float:
         """How high it jumps, JKU."""

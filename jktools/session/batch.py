@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, field, replace
+from multiprocessing.context import SpawnContext
 from pathlib import Path, PurePosixPath
 from time import perf_counter
 from typing import NamedTuple
@@ -340,8 +341,23 @@ def _built_in_processes(
             try:
                 built.add(each.result())
             except BrokenProcessPool:
-                built.bugs.append(f"{member.path}: the process that compiles it ended; try --jobs 1")
+                built.add(_built_alone(done, member, targets[done], context, start))
     return built
+
+
+def _built_alone(
+    number: int,
+    member: Member,
+    target: Path,
+    context: SpawnContext,
+    start: tuple[tuple[str, ...], Settings, CompileSettings | None],
+) -> Built:
+    """Compile a level in a process of its own, after one that ended took all that were waiting with it."""
+    with ProcessPoolExecutor(1, context, _start_worker, start) as pool:
+        try:
+            return pool.submit(_work, number, target).result()
+        except BrokenProcessPool:
+            return Built(bugs=[f"{member.path}: the process that compiles it ended; try --jobs 1"])
 
 
 def _bug(error: PassError) -> str:

@@ -23,6 +23,8 @@ class Viewed(NamedTuple):
     """That see their target on a way that enters its sector."""
     refuted: int
     """Of these, how many join sectors that do not see each other by the matrix: each proves it wrong."""
+    filed: npt.NDArray[np.bool_]
+    """(n, n): what the file has. At `fast` it is about the vertices on their grid."""
 
 
 class Walked(NamedTuple):

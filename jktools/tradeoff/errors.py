@@ -124,14 +124,16 @@ def visibility_error(found: Viewed, exact: Viewed) -> Error:
     """
     one, true = found.visible.matrix, exact.visible.matrix
     missed, false, pairs = int((true & ~one).sum()), int((one & ~true).sum()), int(true.sum())
+    lost = int((true & ~found.filed).sum())
     measures = {
-        "pairs": pairs, "missed": missed, "false": false, "segments": found.segments, "refuted": found.refuted,
-        "cut_short": found.visible.cut_short, "cut_short_exact": exact.visible.cut_short,
+        "pairs": pairs, "missed": missed, "false": false, "missed_in_file": lost, "segments": found.segments,
+        "refuted": found.refuted, "cut_short": found.visible.cut_short, "cut_short_exact": exact.visible.cut_short,
     }  # fmt: skip
     said = [
         f"{found.refuted:,} segments see a pair denied" if found.refuted else "",
         f"{missed:,} pairs missed" if missed else "",
         f"{false:,} false pairs beside {pairs:,}" if false else "",
+        f"{lost:,} missed in the file" if lost > missed else "",
     ]
     return Error(_share(missed + false, pairs), measures, _joined(said))
 

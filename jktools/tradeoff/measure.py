@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
+from multiprocessing.context import ForkServerContext, SpawnContext
 from typing import Any
 
 from jktools.geometry import Accuracy
@@ -111,12 +112,23 @@ class _EndedError(Exception):
     """The process is gone."""
 
 
+def _context() -> SpawnContext | ForkServerContext:
+    """How processes are made: never as forks of this one, which holds a level and may have native threads.
+
+    Where there is a server to fork from, it imports what all of them need once.
+    """
+    if "forkserver" not in multiprocessing.get_all_start_methods():
+        return multiprocessing.get_context("spawn")
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload([work.__module__])
+    return context
+
+
 class _Worker:
     """The process of one tier."""
 
     def __init__(self, load: Callable[[], Level], plan: Plan, tier: Accuracy) -> None:
-        # Spawned, not forked: a fork would hold what this process holds, and copy locks that native threads may hold.
-        context = multiprocessing.get_context("spawn")
+        context = _context()
         ours, theirs = context.Pipe()
         self.pipe: Connection = ours
         self.process = context.Process(target=work, args=(theirs, load, plan.asked, tier), daemon=True)

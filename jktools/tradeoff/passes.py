@@ -84,14 +84,21 @@ class Scene:
         rng = np.random.default_rng(self.asked.seed)
         return {kind: make(self.level, each, rng) for kind, make in KINDS.items()}
 
-    def bytes_of(self, section: str) -> int:
-        """How many bytes a section has in the file."""
+    def compiled(self, section: str) -> CompiledLevel:
+        """The file, with one section and those that it needs."""
         only = frozenset({section} & set(CHOICES))
         skip = frozenset() if only else frozenset(CHOICES)
         settings = CompileSettings(str(self.asked.engine), self.tier, only=only, skip=skip)
-        found = CompiledLevel(compilation(self.level, settings, self.facts).data, self.level.path)
-        held = found.sections.get(section)
-        return 0 if held is None else sum(column.nbytes for column in held.columns.values())
+        return CompiledLevel(compilation(self.level, settings, self.facts).data, self.level.path)
+
+    def bytes_of(self, section: str) -> int:
+        """How many bytes a section has in the file."""
+        return _bytes(self.compiled(section), section)
+
+
+def _bytes(file: CompiledLevel, section: str) -> int:
+    held = file.sections.get(section)
+    return 0 if held is None else held.nbytes
 
 
 Run = Callable[[], Any]
@@ -172,7 +179,11 @@ def _finish_visibility(scene: Scene, answer: VisibleSectors) -> Result:
         seen = scene.facts.mesh.sees(*each, aims, threads=ONE_THREAD)
         segments += int(seen.sum())
         refuted += int((~answer.matrix[each.sectors[seen], aims[seen]]).sum())
-    return Result(Viewed(answer, segments, refuted), scene.bytes_of("visibility"))
+    file = scene.compiled("visibility")
+    filed = file.visible_sectors
+    return Result(
+        Viewed(answer, segments, refuted, answer.matrix if filed is None else filed), _bytes(file, "visibility")
+    )
 
 
 def _known_bodies(scene: Scene) -> list[Walker]:

@@ -1,0 +1,320 @@
+"""The text of docs/tradeoffs.md, from the figures of all levels.
+
+What it claims is checked against the figures: a sentence that they no longer carry is an error.
+"""
+
+from __future__ import annotations
+
+import math
+import statistics
+import textwrap
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from jktools.tradeoff import PASSES, TIERS
+from jktools.tradeoff.errors import length
+from jktools.tradeoff.write import duration
+
+Figures = dict[str, dict[str, Any]]
+"""By level and pass: why there is nothing, or the cells by tier as `jktools tradeoff --json` has them, less deep."""
+
+QUERIED = ("location", "sight", "drop")
+WIDTH = 120
+COSTS = (("build", "fast"), ("build", "balanced"), ("visibility", "exact"), ("ledges", "exact"))
+
+
+class Corpus:
+    """The figures of all levels together."""
+
+    def __init__(self, figures: Figures) -> None:
+        self.figures = figures
+
+    def cells(self, name: str, tier: str, *, beside: str = "") -> Iterator[dict[str, Any]]:
+        """One pass at one tier, of the levels where it was measured there and at another tier."""
+        for each in self.figures.values():
+            held = each.get(name, {})
+            if all("seconds" in held.get(t, {}) for t in (tier, beside or tier)):
+                yield held[tier]
+
+    def compared(self, name: str, tier: str) -> Iterator[dict[str, Any]]:
+        """The cells whose error is known."""
+        return (cell for cell in self.cells(name, tier) if "measures" in cell)
+
+    def ratio(self, name: str, tier: str, other: str) -> float:
+        """How many times as long, the geometric mean over the levels; not a number where none has both."""
+        pairs = zip(self.cells(name, tier, beside=other), self.cells(name, other, beside=tier), strict=True)
+        found = [max(a["seconds"], 1e-9) / max(b["seconds"], 1e-9) for a, b in pairs]
+        return statistics.geometric_mean(found) if found else math.nan
+
+    def at_edges(self, name: str, tier: str) -> float:
+        """How many times as long a query takes that is aimed at an edge, the geometric mean."""
+        ratios = [
+            cell["seconds_at_edges"] / cell["measures"]["asked_at_edges"] * cell["measures"]["asked"] / cell["seconds"]
+            for cell in self.compared(name, tier)
+        ]
+        return statistics.geometric_mean(ratios) if ratios else math.nan
+
+    def total(self, name: str, tier: str, key: str) -> float:
+        """The sum of one measure of the error over the levels where it is known."""
+        return sum(cell["measures"].get(key, 0) for cell in self.compared(name, tier))
+
+    def most(self, name: str, tier: str, key: str) -> float:
+        """The greatest."""
+        return max((cell["measures"].get(key, 0) for cell in self.compared(name, tier)), default=0)
+
+    def share(self, name: str, tier: str, part: str, whole: str) -> float:
+        """The sum of one measure as a part of that of another."""
+        return self.total(name, tier, part) / (self.total(name, tier, whole) or 1)
+
+    def figure(self, name: str, tier: str, key: str, fold: Callable[[list[float]], float] = sum) -> float:
+        """A figure of the cells, folded over the levels."""
+        return fold([cell[key] for cell in self.cells(name, tier) if key in cell] or [0])
+
+    def count(self, name: str, tier: str) -> int:
+        """Levels in which a pass was measured."""
+        return sum(1 for _ in self.cells(name, tier))
+
+    def left_out(self, name: str, tier: str) -> int:
+        """Levels in which it took too long."""
+        return sum("not_measured" in each.get(name, {}).get(tier, {}) for each in self.figures.values())
+
+
+HEAD = """
+# What accuracy costs
+
+What `jktools tradeoff` says of {levels} levels of real mods together. `python -m tools.tradeoff_page` makes this page; its
+figures, level by level, are in [tradeoffs.json](tradeoffs.json). Each level is asked {queries} queries of location, of
+sight and of the floor below, seed {seed}; a quarter of them is aimed at edges and vertices. Errors are against `exact` and
+the same at every run. Times are processor time, on one thread, of a machine that others shared: read the ratios, which were
+taken in one run with the tiers in turn.
+
+![time against error of each pass, one small point a level](tradeoffs.svg)
+
+## Which tier to use
+
+**In CI: `balanced`**, the default. **To ship: `balanced`** too, or `exact` where its passes below end in time. **While you
+edit: `fast`**, for a file that is looked at and thrown away.
+
+- *Sight*: `balanced`, always. It gave the answer of `exact` in all {sight_asked} queries, with the same walls and ways, in
+  {sight_balanced} the time of `fast`, which was wrong in {sight_wrong} of what games ask and in {sight_wrong_edges} at edges.
+  `exact` is what holds it to that: {sight_exact} the time.
+- *Location and floors*: `balanced`, always: as exact, for {location_balanced} and {drop_balanced} the time of `fast`, which
+  was wrong in {location_wrong} and {drop_wrong}, and in {location_wrong_edges} and {drop_wrong_edges} at edges.
+- *Edges* are where exactness is paid for: a query of sight that is aimed at one takes `balanced` {edges_balanced} as long as
+  another, and `fast` {edges_fast}. Worlds are full of them: bodies stand on faces, things at corners.
+- *Visibility*: `balanced`. `fast` claims {visible_fast} more pairs of sectors than `exact`, `balanced` {visible_balanced} more,
+  in {visibility_balanced} the time of `fast`; `exact` takes {visibility_exact} the time of `balanced`. None of {segments}
+  segments saw a pair that a tier denies.
+- *Ledges and basins*: `balanced`. `fast` samples {samples} places an edge and misses {ledges_missed_fast} of {ledges}
+  ledges and {basins_missed_fast} of {basins} basins, so nothing that reports one may rest on it; `balanced` misses
+  {ledges_missed} and {basins_missed}, in {ledges_balanced} the time. `exact` takes {ledges_exact} the time of `balanced`.
+- *Motion*: `exact`, which is milliseconds as well. How far a body goes on depends on the frame rate, by up to {widest}
+  between 10 and 120 frames a second; what `balanced` says for 50 is off by up to {motion_balanced} at another, the
+  closed form of `fast` by up to {motion_fast}.
+{file}
+- *A whole build* takes {build_balanced} as long at `balanced` as at `fast`, {build_longest} for the largest level. At `exact`
+  add the passes below.
+
+## Over all levels
+
+Time beside `balanced`: the geometric mean over the levels measured at both. Memory: what the computation added at most, in
+any level. Bytes and errors: over all levels.
+"""
+
+GRID = """
+- *The file*: at `fast` vertices lie on a grid, {moved} off at most; the geometry takes {geometry_bytes} of its bytes at
+  `balanced`, the whole file {file_bytes}.
+"""
+NO_GRID = "- *The file*: vertices are those of the level at every tier."
+
+MEANINGS = """
+## What the errors are
+
+- **location, sight, drop**: another sector, verdict or floor than by `exact`, which CGAL decides and which shares no code
+  with the others. *At edges*: queries onto, along and through vertices and edges.
+- **visibility**: *false* is a pair that `exact` does not have. A tier starts from what the one before it leaves and only
+  takes away, so that a pair can be missed by a fault alone; segments of sight look for one: what sees its target on a way
+  into a sector that is denied would prove it. `balanced` keeps more than `exact` for two reasons, neither of them rounding:
+  `exact` also narrows the portal that is looked from, and follows four times as many chains of portals through open
+  ground before it gives up.
+- **ledges**: the length of edges whose kind differs (fall, step, wall, ...), and stretches of one kind, longer than 0.001
+  JKU, that a tier has nowhere. Depths are compared where the kind is the same.
+- **basins**: matched by the floors that they share.
+- **motion**: between the way to rest that is said and either end of what 10 to 120 frames a second give.
+- **geometry**: how far vertices in the file are from those of the level.
+
+## Level by level
+
+Seconds of a whole build, and of the two passes that are dear at `exact`; the pairs of sectors that `balanced` has beside
+those of `exact`; the size of the file as a part of the level's text.
+
+| level | surfaces | build, fast | build, balanced | visibility, exact | ledges, exact | more pairs | file, fast | file, balanced |
+|---|---|---|---|---|---|---|---|---|
+"""
+
+
+def page(figures: Figures, queries: int, seed: int) -> str:
+    """The page. Raises ValueError with the sentence that the figures do not carry."""
+    corpus = Corpus(figures)
+    for claim, holds in _claims(corpus):
+        if not holds:
+            raise ValueError(f"docs/tradeoffs.md claims that {claim}, but the figures do not carry it")
+    head = HEAD.format(levels=len(figures), queries=f"{queries:,}", seed=seed, **_named(corpus))
+    lines = [*_wrapped(head), "", *_table(corpus), "", *_wrapped(MEANINGS), *_by_level(figures)]
+    return "\n".join(lines) + "\n"
+
+
+def _claims(c: Corpus) -> Iterator[tuple[str, bool]]:
+    """What the sentences say beside their numbers."""
+    for name in QUERIED:
+        wrong = sum(c.total(name, "balanced", key) for key in ("wrong", "wrong_at_edges", "unlike"))
+        yield f"balanced is exact for {name}", wrong == 0
+        yield f"fast is wrong at times for {name}", c.total(name, "fast", "wrong") > 0
+    for tier in TIERS:
+        yield f"no segment refutes {tier}", c.total("visibility", tier, "refuted") == 0
+        yield f"{tier} misses no pair", c.total("visibility", tier, "missed") == 0
+    yield "fast misses basins", c.total("basins", "fast", "missed") > 0
+    yield "fast misses more ledges", c.total("ledges", "fast", "missed") > c.total("ledges", "balanced", "missed")
+    off = [c.most("motion", tier, "off_most") for tier in TIERS]
+    yield "the closed form is off by most, and exact by nothing", off[0] > off[1] > off[2] == 0
+    yield "motion takes milliseconds", c.figure("motion", "exact", "seconds", max) < 1
+    for tier in ("balanced", "exact"):
+        yield f"vertices are those of the level at {tier}", c.most("geometry", tier, "moved_most") == 0
+
+
+def _named(c: Corpus) -> dict[str, str]:
+    """The numbers of the sentences."""
+    found = {"samples": "8", "sight_asked": f"{c.total('sight', 'balanced', 'asked') + c.total('sight', 'balanced', 'asked_at_edges'):,.0f}"}  # noqa: E501  # fmt: skip
+    for name in QUERIED:
+        found[f"{name}_wrong"] = _percent(c.share(name, "fast", "wrong", "asked"))
+        found[f"{name}_wrong_edges"] = _percent(c.share(name, "fast", "wrong_at_edges", "asked_at_edges"))
+    for name in (*QUERIED, "visibility", "ledges", "build"):
+        found[f"{name}_balanced"] = _times(c.ratio(name, "balanced", "fast"))
+        found[f"{name}_exact"] = _times(c.ratio(name, "exact", "balanced"))
+    for tier in ("fast", "balanced"):
+        found[f"edges_{tier}"] = _times(c.at_edges("sight", tier))
+        found[f"visible_{tier}"] = _percent(c.share("visibility", tier, "false", "pairs"))
+        found[f"motion_{tier}"] = length(c.most("motion", tier, "off_most"))
+    for name in ("ledges", "basins"):
+        found[name] = f"{c.total(name, 'balanced', name):,.0f}"
+        found[f"{name}_missed_fast"] = _count(c.total(name, "fast", "missed"))
+        found[f"{name}_missed"] = _count(c.total(name, "balanced", "missed"))
+    moved = c.most("geometry", "fast", "moved_most")
+    sizes = {
+        name: [c.figure(name, tier, "bytes") or 1 for tier in ("fast", "balanced")] for name in ("geometry", "build")
+    }
+    file = GRID.strip().format(
+        moved=length(moved),
+        geometry_bytes=_percent(sizes["geometry"][0] / sizes["geometry"][1]),
+        file_bytes=_percent(sizes["build"][0] / sizes["build"][1]),
+    )
+    return found | {
+        "segments": f"{c.total('visibility', 'balanced', 'segments'):,.0f}",
+        "widest": length(c.most("motion", "exact", "widest")),
+        "build_longest": duration(c.figure("build", "balanced", "seconds", max)),
+        "file": file if moved else NO_GRID,
+    }
+
+
+def _table(c: Corpus) -> Iterator[str]:
+    """Every pass at every tier, over the levels."""
+    yield "| pass | tier | levels | time | memory | bytes | error |"
+    yield "|---|---|---|---|---|---|---|"
+    for name in PASSES:
+        for tier in TIERS:
+            if not c.count(name, tier):
+                continue
+            late = c.left_out(name, tier)
+            levels = f"{c.count(name, tier)}" + (f" ({late} took too long)" if late else "")
+            size = c.figure(name, tier, "bytes")
+            yield (
+                f"| {name} | {tier} | {levels} | {_times(c.ratio(name, tier, 'balanced'))} "
+                f"| {c.figure(name, tier, 'memory', max) / 1e6:.1f} MB | {f'{size:,.0f}' if size else '-'} "
+                f"| {'-' if tier == 'exact' else _error(c, name, tier)} |"
+            )
+
+
+def _error(c: Corpus, name: str, tier: str) -> str:
+    """The error of one pass over all levels."""
+
+    def total(key: str) -> str:
+        return f"{c.total(name, tier, key):,.0f}"
+
+    def most(key: str) -> str:
+        return length(c.most(name, tier, key))
+
+    match name:
+        case "location" | "sight" | "drop":
+            edges = f"{total('wrong_at_edges')} of {total('asked_at_edges')} at edges"
+            depth = f"; depth off by up to {most('depth_most')}" if c.most(name, tier, "depth_most") else ""
+            return f"{total('wrong')} of {total('asked')} wrong, {edges}{depth}"
+        case "visibility":
+            return f"{total('false')} false pairs beside {total('pairs')}, {total('missed')} missed"
+        case "ledges":
+            share = _percent(c.share(name, tier, "wrong_length", "length"))
+            return (
+                f"{share} of {total('length')} JKU classed otherwise, at most {most('wrong_longest')} in one piece; "
+                f"{total('missed')} of {total('ledges')} missed, {total('false')} false; depth off by up to "
+                f"{most('depth_most')}"
+            )
+        case "basins":
+            return (
+                f"{total('missed')} of {total('basins')} missed, {total('false')} false, {total('unlike')} told "
+                f"otherwise; depth off by up to {most('depth_most')}"
+            )
+        case "motion":
+            return f"up to {most('off_most')}; {total('outside')} of {total('stops')} are what no frame rate gives"
+        case "geometry":
+            return f"vertices moved by up to {most('moved_most')}"
+        case _:
+            return "-"
+
+
+def _by_level(figures: Figures) -> Iterator[str]:
+    """What `exact` costs and brings, level by level."""
+    for name, each in sorted(figures.items(), key=lambda item: (item[1]["level"]["surfaces"], item[0])):
+        pairs = each.get("visibility", {}).get("balanced", {}).get("measures")
+        sizes = [each.get("build", {}).get(tier, {}).get("bytes") for tier in ("fast", "balanced")]
+        cells = [
+            *(_seconds(each.get(part, {}), tier) for part, tier in COSTS),
+            _percent(pairs["false"] / pairs["pairs"]) if pairs else "not known",
+            *(f"{size / each['level']['bytes']:.2f}" if size else "-" for size in sizes),
+        ]
+        yield f"| {name} | {each['level']['surfaces']} | " + " | ".join(cells) + " |"
+
+
+def _seconds(held: dict[str, Any], tier: str) -> str:
+    if "nothing" in held:
+        return "-"
+    cell = held.get(tier, {})
+    if "seconds" not in cell:
+        return cell.get("not_measured", "not measured")
+    return f"{cell['seconds']:.0f}" if cell["seconds"] >= 9.95 else f"{cell['seconds']:.1g}"
+
+
+def _wrapped(text: str) -> Iterator[str]:
+    """Paragraphs and items filled anew: numbers are longer and shorter than their names."""
+    for part in (
+        text.strip().replace("\n- ", "\n\0- ").replace("\n|", "\n\0|").replace("\n\n", "\n\0\n\0").split("\n\0")
+    ):
+        if part.startswith(("#", "!", "|")) or not part.strip():
+            yield part.strip("\n")
+        else:
+            hang = "  " if part.startswith("- ") else ""
+            yield from textwrap.wrap(
+                part, WIDTH, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False
+            )
+
+
+def _times(ratio: float) -> str:
+    if math.isnan(ratio):
+        return "-"
+    return f"{ratio:.2g} times" if ratio < 10 else f"{ratio:,.0f} times"
+
+
+def _count(value: float) -> str:
+    return f"{value:,.0f}" if value else "none"
+
+
+def _percent(share: float) -> str:
+    return "0 %" if not share else f"{100 * share:.2g} %" if share < 0.1 else f"{100 * share:.0f} %"
