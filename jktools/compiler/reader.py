@@ -32,9 +32,9 @@ ALIGNMENT = 8
 
 NO_SECTION, PLAIN, FIRST_VECTOR = -2, 0, 2
 """Forms of a column as `level_parts` tells them."""
-_DTYPES = {kind: np.dtype(f"<{kind}") for kind in ("u1", "i4", "u4", "f4", "f8")}
-_OF_VECTORS = [np.dtype(f"<{kind}") for kind in VECTORS.values()]
-_INDICES = {1: np.dtype("u1"), 2: np.dtype("<u2")}
+_DTYPES: dict[str, np.dtype[Any]] = {kind: np.dtype(f"<{kind}") for kind in ("u1", "i4", "u4", "f4", "f8")}
+_OF_VECTORS: list[np.dtype[Any]] = [np.dtype(f"<{kind}") for kind in VECTORS.values()]
+_INDICES: dict[int, np.dtype[Any]] = {1: np.dtype("u1"), 2: np.dtype("<u2")}
 
 TEXT_SINCE = 2
 """Minor version that brought the strings as one vector."""

@@ -17,7 +17,7 @@ from jktools.geometry import SectorMesh
 from jktools.model import Level
 from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
 
-SMITHDEV = (ROOT / "fixtures/smithdev/smithdev.jkl").read_text("ascii")
+SMITHDEV = (ROOT / "fixtures/smithdev/level/jkl/smithdev.jkl").read_text("ascii")
 FIXTURES = {
     "two rooms": TWO_ROOMS,
     "smithdev": SMITHDEV,

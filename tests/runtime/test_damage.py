@@ -32,7 +32,7 @@ def files() -> Iterator[tuple[str, bytes]]:
     for name in OLD:
         yield name, (ROOT / "tests/data" / name).read_bytes()
     if FUZZ:
-        yield "smithdev", compile_level(level_of((ROOT / "fixtures/smithdev/smithdev.jkl").read_bytes()))
+        yield "smithdev", compile_level(level_of((ROOT / "fixtures/smithdev/level/jkl/smithdev.jkl").read_bytes()))
 
 
 @pytest.mark.parametrize(("name", "data"), list(files()), ids=lambda x: x if isinstance(x, str) else "")

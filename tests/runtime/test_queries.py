@@ -18,7 +18,7 @@ from jktools.model import Level
 from tests.runtime.compiler import FLATBUFFERS
 from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
 
-SMITHDEV = (ROOT / "fixtures/smithdev/smithdev.jkl").read_bytes()
+SMITHDEV = (ROOT / "fixtures/smithdev/level/jkl/smithdev.jkl").read_bytes()
 CORPUS_LEVELS = ("masspack.gob!jkl/lagoon.jkl", "namekwaters.jkl", "treeofmight2.jkl")
 
 
