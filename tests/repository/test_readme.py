@@ -21,14 +21,14 @@ TRANSCRIPTS = [
 
 
 MEASURED = (("jktools tradeoff", r"[\d.]+ (?:µs|ms|s|MB)\b"),)
-"""What another machine measures otherwise, in what a command prints; columns are as wide as it needs."""
+"""What another machine measures otherwise, in what a command prints; columns and lines are as wide as it needs."""
 
 
 def still(command: str, text: str) -> str:
     """A text without what differs from run to run."""
     for name, pattern in MEASURED:
         if command.startswith(name):
-            return re.sub(" +", " ", re.sub(pattern, "*", text))
+            return re.sub(r"\s+", " ", re.sub(pattern, "*", text))
     return text
 
 
