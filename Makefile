@@ -46,7 +46,7 @@ bench: $(VENV)/built
 
 # The tests that grow with the time they are given: every corpus level, thousands of random faults, a million queries.
 fuzz: $(VENV)/built
-	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py tests/geometry/test_occluders.py
+	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py tests/geometry/test_occluders.py tests/facts/test_sight_bounds.py
 	python -m benchmarks.sight_disagreement --queries 1000000
 	python -m benchmarks.sees_disagreement --queries 1000000
 	python -m benchmarks.drop_disagreement --queries 1000000
@@ -54,6 +54,7 @@ fuzz: $(VENV)/built
 	python -m benchmarks.visibility_missed --each 20
 	python -m benchmarks.ledge_disagreement --places 20000
 	python -m benchmarks.ledge_tiers
+	python -m benchmarks.rebuild
 
 fresh:
 	tests/fresh.sh

@@ -29,7 +29,7 @@ from jktools.geometry.mesh import BLOCKS, mesh_arrays
 from jktools.geometry.rest_pose import rest_pose
 from jktools.model import Level, Thing
 
-ON_EDGE = 1e-4
+ON_FACE = 1e-4
 GAIT = Gait(0.120114, 0.065, 0.065, 5)
 """The player's on foot."""
 SAME_DROP = 1e-6
@@ -172,7 +172,7 @@ class Twin:
 
         The sector is the floor's; -1 for the edge of a thing, whose own is looked for.
         """
-        inner = here - BEYOND * out + (0, 0, ON_EDGE - BEYOND * slope)
+        inner = here - BEYOND * out + (0, 0, (ON_FACE if sector < 0 else 0.0) - BEYOND * slope)
         home = int(self.mesh.locate([inner])[0]) if sector < 0 else sector
         if home < 0:
             return Seen(Over.BLOCKED, -1, False, 0, np.nan)

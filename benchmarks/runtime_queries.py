@@ -140,7 +140,7 @@ KINDS: dict[str, Maker] = {
 
 
 def ask(program: Path, level: Path, queries: Array) -> tuple[Array, float]:
-    """What the runtime answers, and its seconds."""
+    """What the runtime answers, and its seconds of processor."""
     with tempfile.TemporaryDirectory() as folder:
         asked, answered = Path(folder, "queries"), Path(folder, "answers")
         asked.write_bytes(queries.tobytes())

@@ -101,24 +101,31 @@ struct Packed FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int8_t> *i8() const {
     return GetPointer<const ::flatbuffers::Vector<int8_t> *>(VT_I8);
   }
+  /// Numbers 0 to 255.
   const ::flatbuffers::Vector<uint8_t> *u8() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_U8);
   }
+  /// Numbers -32768 to 32767.
   const ::flatbuffers::Vector<int16_t> *i16() const {
     return GetPointer<const ::flatbuffers::Vector<int16_t> *>(VT_I16);
   }
+  /// Numbers 0 to 65535.
   const ::flatbuffers::Vector<uint16_t> *u16() const {
     return GetPointer<const ::flatbuffers::Vector<uint16_t> *>(VT_U16);
   }
+  /// Numbers of 32 bits with a sign.
   const ::flatbuffers::Vector<int32_t> *i32() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_I32);
   }
+  /// Numbers of 32 bits without a sign.
   const ::flatbuffers::Vector<uint32_t> *u32() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_U32);
   }
+  /// Single precision.
   const ::flatbuffers::Vector<float> *f32() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_F32);
   }
+  /// Double precision.
   const ::flatbuffers::Vector<double> *f64() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_F64);
   }
@@ -126,6 +133,7 @@ struct Packed FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *index8() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_INDEX8);
   }
+  /// As `index8`, for pools of more than 256 rows.
   const ::flatbuffers::Vector<uint16_t> *index16() const {
     return GetPointer<const ::flatbuffers::Vector<uint16_t> *>(VT_INDEX16);
   }
@@ -133,6 +141,7 @@ struct Packed FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   uint32_t count() const {
     return GetField<uint32_t>(VT_COUNT, 0);
   }
+  /// The first of numbers that follow each other, where there are no values.
   int32_t first() const {
     return GetField<int32_t>(VT_FIRST, 0);
   }
@@ -394,12 +403,15 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_ONLY = 12,
     VT_SKIP = 14
   };
+  /// `jk` or `mots` (Mysteries of the Sith), whose reading of the source applied.
   const ::flatbuffers::String *game() const {
     return GetPointer<const ::flatbuffers::String *>(VT_GAME);
   }
+  /// `research` or `openjkdf2`: the profile whose rules sight, floors, ledges and motion follow (docs/engine.md).
   const ::flatbuffers::String *engine() const {
     return GetPointer<const ::flatbuffers::String *>(VT_ENGINE);
   }
+  /// `fast`, `balanced` or `exact`.
   const ::flatbuffers::String *accuracy() const {
     return GetPointer<const ::flatbuffers::String *>(VT_ACCURACY);
   }
@@ -520,12 +532,15 @@ struct Pass FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_RAN = 6,
     VT_NOTE = 8
   };
+  /// The section that the pass computes.
   const ::flatbuffers::String *name() const {
     return GetPointer<const ::flatbuffers::String *>(VT_NAME);
   }
+  /// Whether its section is in the file.
   bool ran() const {
     return GetField<uint8_t>(VT_RAN, 0) != 0;
   }
+  /// Why it did not run, or what it left out and why.
   const ::flatbuffers::String *note() const {
     return GetPointer<const ::flatbuffers::String *>(VT_NOTE);
   }
@@ -608,36 +623,47 @@ struct World FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_PERSPECTIVE_DISTANCE = 22,
     VT_GOURAUD_DISTANCE = 24
   };
+  /// The line `version`, which is 1 in levels of both games.
   int32_t version() const {
     return GetField<int32_t>(VT_VERSION, 0);
   }
+  /// JKU/s²; 4 in most levels.
   float gravity() const {
     return GetField<float>(VT_GRAVITY, 0.0f);
   }
+  /// Height of the ceiling sky, JKU.
   float ceiling_sky_z() const {
     return GetField<float>(VT_CEILING_SKY_Z, 0.0f);
   }
+  /// Of the horizon sky, as written.
   float horizon_distance() const {
     return GetField<float>(VT_HORIZON_DISTANCE, 0.0f);
   }
+  /// Of the horizon sky: pixels of its texture in a full turn.
   float horizon_pixels_per_rev() const {
     return GetField<float>(VT_HORIZON_PIXELS_PER_REV, 0.0f);
   }
+  /// u v, pixels.
   const ::flatbuffers::Vector<float> *horizon_sky_offset() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_HORIZON_SKY_OFFSET);
   }
+  /// u v, pixels.
   const ::flatbuffers::Vector<float> *ceiling_sky_offset() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_CEILING_SKY_OFFSET);
   }
+  /// Four distances at which textures change to their next mipmap, JKU.
   const ::flatbuffers::Vector<float> *mipmap_distances() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_MIPMAP_DISTANCES);
   }
+  /// Four distances at which models change to their next level of detail, JKU.
   const ::flatbuffers::Vector<float> *lod_distances() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_LOD_DISTANCES);
   }
+  /// As written, JKU.
   float perspective_distance() const {
     return GetField<float>(VT_PERSPECTIVE_DISTANCE, 0.0f);
   }
+  /// As written, JKU.
   float gouraud_distance() const {
     return GetField<float>(VT_GOURAUD_DISTANCE, 0.0f);
   }
@@ -796,63 +822,83 @@ struct Resources FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_SOUNDCLASSES_PACKED = 40,
     VT_COGSCRIPTS_PACKED = 42
   };
+  /// SOUNDS: WAV files.
   const ::flatbuffers::Vector<uint32_t> *sounds() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SOUNDS);
   }
+  /// MATERIALS: MAT files. Surfaces count this list.
   const ::flatbuffers::Vector<uint32_t> *materials() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_MATERIALS);
   }
+  /// The colormaps of GEORESOURCE: CMP files. Sectors count this list.
   const ::flatbuffers::Vector<uint32_t> *colormaps() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_COLORMAPS);
   }
+  /// AICLASS: AI files.
   const ::flatbuffers::Vector<uint32_t> *aiclasses() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_AICLASSES);
   }
+  /// MODELS: 3DO files.
   const ::flatbuffers::Vector<uint32_t> *models() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_MODELS);
   }
+  /// SPRITES: SPR files.
   const ::flatbuffers::Vector<uint32_t> *sprites() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SPRITES);
   }
+  /// KEYFRAMES: KEY files.
   const ::flatbuffers::Vector<uint32_t> *keyframes() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_KEYFRAMES);
   }
+  /// ANIMCLASS: PUP files.
   const ::flatbuffers::Vector<uint32_t> *animclasses() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_ANIMCLASSES);
   }
+  /// SOUNDCLASS: SND files.
   const ::flatbuffers::Vector<uint32_t> *soundclasses() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SOUNDCLASSES);
   }
+  /// COGSCRIPTS: COG files.
   const ::flatbuffers::Vector<uint32_t> *cogscripts() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_COGSCRIPTS);
   }
+  /// `sounds`, packed.
   const jktools::Packed *sounds_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SOUNDS_PACKED);
   }
+  /// `materials`, packed.
   const jktools::Packed *materials_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MATERIALS_PACKED);
   }
+  /// `colormaps`, packed.
   const jktools::Packed *colormaps_packed() const {
     return GetPointer<const jktools::Packed *>(VT_COLORMAPS_PACKED);
   }
+  /// `aiclasses`, packed.
   const jktools::Packed *aiclasses_packed() const {
     return GetPointer<const jktools::Packed *>(VT_AICLASSES_PACKED);
   }
+  /// `models`, packed.
   const jktools::Packed *models_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MODELS_PACKED);
   }
+  /// `sprites`, packed.
   const jktools::Packed *sprites_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SPRITES_PACKED);
   }
+  /// `keyframes`, packed.
   const jktools::Packed *keyframes_packed() const {
     return GetPointer<const jktools::Packed *>(VT_KEYFRAMES_PACKED);
   }
+  /// `animclasses`, packed.
   const jktools::Packed *animclasses_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ANIMCLASSES_PACKED);
   }
+  /// `soundclasses`, packed.
   const jktools::Packed *soundclasses_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SOUNDCLASSES_PACKED);
   }
+  /// `cogscripts`, packed.
   const jktools::Packed *cogscripts_packed() const {
     return GetPointer<const jktools::Packed *>(VT_COGSCRIPTS_PACKED);
   }
@@ -1157,7 +1203,7 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_SECTOR_FIRST_SURFACE_PACKED = 144,
     VT_SECTOR_SURFACE_COUNT_PACKED = 146
   };
-  /// x y z of each vertex, float32 as the engine reads it.
+  /// x y z of each vertex, JKU: float32 as the engine reads it, at `fast` on a grid.
   const ::flatbuffers::Vector<float> *vertices() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_VERTICES);
   }
@@ -1165,6 +1211,7 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *texture_vertices() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_TEXTURE_VERTICES);
   }
+  /// 0x1 sight and drawing pass, 0x2 movement, 0x4 sound; 0x8 not for AI, 0x10 not for the player.
   const ::flatbuffers::Vector<uint32_t> *adjoin_flags() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_ADJOIN_FLAGS);
   }
@@ -1172,6 +1219,7 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *adjoin_mirror() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ADJOIN_MIRROR);
   }
+  /// As written, JKU: from the sector's centre to the surface, by the measure of the editor.
   const ::flatbuffers::Vector<float> *adjoin_distance() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_ADJOIN_DISTANCE);
   }
@@ -1179,27 +1227,36 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *adjoin_surface() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ADJOIN_SURFACE);
   }
+  /// -1 is none: the surface is then not drawn.
   const ::flatbuffers::Vector<int32_t> *surface_material() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE_MATERIAL);
   }
+  /// 0x1 floor, 0x4 collides, 0x8 AI does not walk there, 0x80 no fall damage, 0x200 and 0x400 horizon and
+  /// ceiling sky, 0x1000 and 0x2000 ice.
   const ::flatbuffers::Vector<uint32_t> *surface_flags() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SURFACE_FLAGS);
   }
+  /// 0x1 two-sided, 0x2 translucent. 0x4 is in most files and means nothing.
   const ::flatbuffers::Vector<uint32_t> *surface_face_flags() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SURFACE_FACE_FLAGS);
   }
+  /// 0 not drawn, 1 vertices, 2 wire frame, 3 one colour, 4 textured, 5 as 4.
   const ::flatbuffers::Vector<int32_t> *surface_geometry_mode() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE_GEOMETRY_MODE);
   }
+  /// 0 fully lit, 1 not lit, 2 diffuse, 3 gouraud.
   const ::flatbuffers::Vector<int32_t> *surface_light_mode() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE_LIGHT_MODE);
   }
+  /// 0 affine, 1 perspective.
   const ::flatbuffers::Vector<int32_t> *surface_texture_mode() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE_TEXTURE_MODE);
   }
+  /// The adjoin that it carries; -1 for a wall.
   const ::flatbuffers::Vector<int32_t> *surface_adjoin() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE_ADJOIN);
   }
+  /// Added to the light of its corners, 0 dark to 1 bright.
   const ::flatbuffers::Vector<float> *surface_extra_light() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SURFACE_EXTRA_LIGHT);
   }
@@ -1207,6 +1264,7 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *surface_normal() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SURFACE_NORMAL);
   }
+  /// The sector whose range of surfaces it is in; -1 for none.
   const ::flatbuffers::Vector<int32_t> *surface_sector() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE_SECTOR);
   }
@@ -1214,9 +1272,11 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *surface_corner_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SURFACE_CORNER_START);
   }
+  /// The vertex of each corner of each surface.
   const ::flatbuffers::Vector<int32_t> *corner_vertex() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CORNER_VERTEX);
   }
+  /// Its texture vertex; -1 for a surface without a material.
   const ::flatbuffers::Vector<int32_t> *corner_texture_vertex() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CORNER_TEXTURE_VERTEX);
   }
@@ -1224,21 +1284,27 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *surface_light_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SURFACE_LIGHT_START);
   }
+  /// 0 dark to 1 bright; greater values are drawn as 1.
   const ::flatbuffers::Vector<float> *corner_light() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_CORNER_LIGHT);
   }
+  /// 0x1 no gravity, 0x2 under water, 0x4 linked to a COG, 0x8 has thrust, 0x40 a pit: instant death.
   const ::flatbuffers::Vector<uint32_t> *sector_flags() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SECTOR_FLAGS);
   }
+  /// As written, 0 dark to 1 bright.
   const ::flatbuffers::Vector<float> *sector_ambient_light() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SECTOR_AMBIENT_LIGHT);
   }
+  /// As written, 0 dark to 1 bright.
   const ::flatbuffers::Vector<float> *sector_extra_light() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SECTOR_EXTRA_LIGHT);
   }
+  /// As written: position in Resources.colormaps. The engine does not check it, so nothing here does.
   const ::flatbuffers::Vector<int32_t> *sector_colormap() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SECTOR_COLORMAP);
   }
+  /// Red, green, blue.
   const ::flatbuffers::Vector<float> *sector_tint() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SECTOR_TINT);
   }
@@ -1250,135 +1316,179 @@ struct Geometry FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *sector_collide_box() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SECTOR_COLLIDE_BOX);
   }
+  /// The ambient sound.
   const ::flatbuffers::Vector<int32_t> *sector_sound() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SECTOR_SOUND);
   }
+  /// 0 to 1.
   const ::flatbuffers::Vector<float> *sector_sound_volume() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SECTOR_SOUND_VOLUME);
   }
+  /// x y z as written, JKU.
   const ::flatbuffers::Vector<float> *sector_center() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SECTOR_CENTER);
   }
+  /// From the centre to the farthest vertex, as written, JKU.
   const ::flatbuffers::Vector<float> *sector_radius() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SECTOR_RADIUS);
   }
+  /// Cuts `sector_vertex`.
   const ::flatbuffers::Vector<uint32_t> *sector_vertex_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SECTOR_VERTEX_START);
   }
+  /// The vertices that each sector lists.
   const ::flatbuffers::Vector<int32_t> *sector_vertex() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SECTOR_VERTEX);
   }
+  /// The first of its surfaces, which follow each other.
   const ::flatbuffers::Vector<int32_t> *sector_first_surface() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SECTOR_FIRST_SURFACE);
   }
+  /// How many surfaces it has.
   const ::flatbuffers::Vector<int32_t> *sector_surface_count() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SECTOR_SURFACE_COUNT);
   }
+  /// `vertices`, packed.
   const jktools::Packed *vertices_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VERTICES_PACKED);
   }
+  /// `texture_vertices`, packed.
   const jktools::Packed *texture_vertices_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TEXTURE_VERTICES_PACKED);
   }
+  /// `adjoin_flags`, packed.
   const jktools::Packed *adjoin_flags_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ADJOIN_FLAGS_PACKED);
   }
+  /// `adjoin_mirror`, packed.
   const jktools::Packed *adjoin_mirror_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ADJOIN_MIRROR_PACKED);
   }
+  /// `adjoin_distance`, packed.
   const jktools::Packed *adjoin_distance_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ADJOIN_DISTANCE_PACKED);
   }
+  /// `adjoin_surface`, packed.
   const jktools::Packed *adjoin_surface_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ADJOIN_SURFACE_PACKED);
   }
+  /// `surface_material`, packed.
   const jktools::Packed *surface_material_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_MATERIAL_PACKED);
   }
+  /// `surface_flags`, packed.
   const jktools::Packed *surface_flags_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_FLAGS_PACKED);
   }
+  /// `surface_face_flags`, packed.
   const jktools::Packed *surface_face_flags_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_FACE_FLAGS_PACKED);
   }
+  /// `surface_geometry_mode`, packed.
   const jktools::Packed *surface_geometry_mode_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_GEOMETRY_MODE_PACKED);
   }
+  /// `surface_light_mode`, packed.
   const jktools::Packed *surface_light_mode_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_LIGHT_MODE_PACKED);
   }
+  /// `surface_texture_mode`, packed.
   const jktools::Packed *surface_texture_mode_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_TEXTURE_MODE_PACKED);
   }
+  /// `surface_adjoin`, packed.
   const jktools::Packed *surface_adjoin_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_ADJOIN_PACKED);
   }
+  /// `surface_extra_light`, packed.
   const jktools::Packed *surface_extra_light_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_EXTRA_LIGHT_PACKED);
   }
+  /// `surface_normal`, packed.
   const jktools::Packed *surface_normal_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_NORMAL_PACKED);
   }
+  /// `surface_sector`, packed.
   const jktools::Packed *surface_sector_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_SECTOR_PACKED);
   }
+  /// `surface_corner_start`, packed.
   const jktools::Packed *surface_corner_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_CORNER_START_PACKED);
   }
+  /// `corner_vertex`, packed.
   const jktools::Packed *corner_vertex_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CORNER_VERTEX_PACKED);
   }
+  /// `corner_texture_vertex`, packed.
   const jktools::Packed *corner_texture_vertex_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CORNER_TEXTURE_VERTEX_PACKED);
   }
+  /// `surface_light_start`, packed.
   const jktools::Packed *surface_light_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_LIGHT_START_PACKED);
   }
+  /// `corner_light`, packed.
   const jktools::Packed *corner_light_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CORNER_LIGHT_PACKED);
   }
+  /// `sector_flags`, packed.
   const jktools::Packed *sector_flags_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_FLAGS_PACKED);
   }
+  /// `sector_ambient_light`, packed.
   const jktools::Packed *sector_ambient_light_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_AMBIENT_LIGHT_PACKED);
   }
+  /// `sector_extra_light`, packed.
   const jktools::Packed *sector_extra_light_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_EXTRA_LIGHT_PACKED);
   }
+  /// `sector_colormap`, packed.
   const jktools::Packed *sector_colormap_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_COLORMAP_PACKED);
   }
+  /// `sector_tint`, packed.
   const jktools::Packed *sector_tint_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_TINT_PACKED);
   }
+  /// `sector_bound_box`, packed.
   const jktools::Packed *sector_bound_box_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_BOUND_BOX_PACKED);
   }
+  /// `sector_collide_box`, packed.
   const jktools::Packed *sector_collide_box_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_COLLIDE_BOX_PACKED);
   }
+  /// `sector_sound`, packed.
   const jktools::Packed *sector_sound_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_SOUND_PACKED);
   }
+  /// `sector_sound_volume`, packed.
   const jktools::Packed *sector_sound_volume_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_SOUND_VOLUME_PACKED);
   }
+  /// `sector_center`, packed.
   const jktools::Packed *sector_center_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_CENTER_PACKED);
   }
+  /// `sector_radius`, packed.
   const jktools::Packed *sector_radius_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_RADIUS_PACKED);
   }
+  /// `sector_vertex_start`, packed.
   const jktools::Packed *sector_vertex_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_VERTEX_START_PACKED);
   }
+  /// `sector_vertex`, packed.
   const jktools::Packed *sector_vertex_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_VERTEX_PACKED);
   }
+  /// `sector_first_surface`, packed.
   const jktools::Packed *sector_first_surface_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_FIRST_SURFACE_PACKED);
   }
+  /// `sector_surface_count`, packed.
   const jktools::Packed *sector_surface_count_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_SURFACE_COUNT_PACKED);
   }
@@ -2151,18 +2261,23 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *source() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SOURCE);
   }
+  /// As written; the engine compares without case.
   const ::flatbuffers::Vector<uint32_t> *name() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_NAME);
   }
+  /// The template that it copies, as written; `none` for a blank one.
   const ::flatbuffers::Vector<uint32_t> *parent() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_PARENT);
   }
+  /// Up to 1.1, cuts the parameters as written.
   const ::flatbuffers::Vector<uint32_t> *parameter_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_PARAMETER_START);
   }
+  /// Up to 1.1.
   const ::flatbuffers::Vector<uint32_t> *parameter_key() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_PARAMETER_KEY);
   }
+  /// Up to 1.1.
   const ::flatbuffers::Vector<uint32_t> *parameter_value() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_PARAMETER_VALUE);
   }
@@ -2203,48 +2318,63 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<double> *number() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_NUMBER);
   }
+  /// `source`, packed.
   const jktools::Packed *source_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SOURCE_PACKED);
   }
+  /// `name`, packed.
   const jktools::Packed *name_packed() const {
     return GetPointer<const jktools::Packed *>(VT_NAME_PACKED);
   }
+  /// `parent`, packed.
   const jktools::Packed *parent_packed() const {
     return GetPointer<const jktools::Packed *>(VT_PARENT_PACKED);
   }
+  /// `parameter_start`, packed.
   const jktools::Packed *parameter_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_PARAMETER_START_PACKED);
   }
+  /// `parameter_key`, packed.
   const jktools::Packed *parameter_key_packed() const {
     return GetPointer<const jktools::Packed *>(VT_PARAMETER_KEY_PACKED);
   }
+  /// `parameter_value`, packed.
   const jktools::Packed *parameter_value_packed() const {
     return GetPointer<const jktools::Packed *>(VT_PARAMETER_VALUE_PACKED);
   }
+  /// `type`, packed.
   const jktools::Packed *type_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TYPE_PACKED);
   }
+  /// `move`, packed.
   const jktools::Packed *move_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MOVE_PACKED);
   }
+  /// `has_ai`, packed.
   const jktools::Packed *has_ai_packed() const {
     return GetPointer<const jktools::Packed *>(VT_HAS_AI_PACKED);
   }
+  /// `value_start`, packed.
   const jktools::Packed *value_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VALUE_START_PACKED);
   }
+  /// `value_key`, packed.
   const jktools::Packed *value_key_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VALUE_KEY_PACKED);
   }
+  /// `value_text`, packed.
   const jktools::Packed *value_text_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VALUE_TEXT_PACKED);
   }
+  /// `value_source`, packed.
   const jktools::Packed *value_source_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VALUE_SOURCE_PACKED);
   }
+  /// `number_start`, packed.
   const jktools::Packed *number_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_NUMBER_START_PACKED);
   }
+  /// `number`, packed.
   const jktools::Packed *number_packed() const {
     return GetPointer<const jktools::Packed *>(VT_NUMBER_PACKED);
   }
@@ -2266,27 +2396,35 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *unused_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_UNUSED_START);
   }
+  /// The parameter as written.
   const ::flatbuffers::Vector<uint32_t> *unused_key() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_UNUSED_KEY);
   }
+  /// What stands behind its `=`.
   const ::flatbuffers::Vector<uint32_t> *unused_value() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_UNUSED_VALUE);
   }
+  /// `value_list`, packed.
   const jktools::Packed *value_list_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VALUE_LIST_PACKED);
   }
+  /// `list_start`, packed.
   const jktools::Packed *list_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_LIST_START_PACKED);
   }
+  /// `list_number`, packed.
   const jktools::Packed *list_number_packed() const {
     return GetPointer<const jktools::Packed *>(VT_LIST_NUMBER_PACKED);
   }
+  /// `unused_start`, packed.
   const jktools::Packed *unused_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_UNUSED_START_PACKED);
   }
+  /// `unused_key`, packed.
   const jktools::Packed *unused_key_packed() const {
     return GetPointer<const jktools::Packed *>(VT_UNUSED_KEY_PACKED);
   }
+  /// `unused_value`, packed.
   const jktools::Packed *unused_value_packed() const {
     return GetPointer<const jktools::Packed *>(VT_UNUSED_VALUE_PACKED);
   }
@@ -2758,12 +2896,15 @@ struct Things FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *number() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_NUMBER);
   }
+  /// The name of its template as written.
   const ::flatbuffers::Vector<uint32_t> *template_() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_TEMPLATE_);
   }
+  /// As written; the engine only prints it.
   const ::flatbuffers::Vector<uint32_t> *name() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_NAME);
   }
+  /// x y z, JKU.
   const ::flatbuffers::Vector<float> *position() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_POSITION);
   }
@@ -2771,6 +2912,7 @@ struct Things FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *angles() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_ANGLES);
   }
+  /// The sector that it starts in.
   const ::flatbuffers::Vector<int32_t> *sector() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SECTOR);
   }
@@ -2778,45 +2920,59 @@ struct Things FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *arch_light() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ARCH_LIGHT);
   }
+  /// Cuts the parameters of its own line.
   const ::flatbuffers::Vector<uint32_t> *parameter_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_PARAMETER_START);
   }
+  /// As written.
   const ::flatbuffers::Vector<uint32_t> *parameter_key() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_PARAMETER_KEY);
   }
+  /// What stands behind its `=`.
   const ::flatbuffers::Vector<uint32_t> *parameter_value() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_PARAMETER_VALUE);
   }
+  /// `source`, packed.
   const jktools::Packed *source_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SOURCE_PACKED);
   }
+  /// `number`, packed.
   const jktools::Packed *number_packed() const {
     return GetPointer<const jktools::Packed *>(VT_NUMBER_PACKED);
   }
+  /// `template`, packed.
   const jktools::Packed *template_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TEMPLATE_PACKED);
   }
+  /// `name`, packed.
   const jktools::Packed *name_packed() const {
     return GetPointer<const jktools::Packed *>(VT_NAME_PACKED);
   }
+  /// `position`, packed.
   const jktools::Packed *position_packed() const {
     return GetPointer<const jktools::Packed *>(VT_POSITION_PACKED);
   }
+  /// `angles`, packed.
   const jktools::Packed *angles_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ANGLES_PACKED);
   }
+  /// `sector`, packed.
   const jktools::Packed *sector_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_PACKED);
   }
+  /// `arch_light`, packed.
   const jktools::Packed *arch_light_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ARCH_LIGHT_PACKED);
   }
+  /// `parameter_start`, packed.
   const jktools::Packed *parameter_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_PARAMETER_START_PACKED);
   }
+  /// `parameter_key`, packed.
   const jktools::Packed *parameter_key_packed() const {
     return GetPointer<const jktools::Packed *>(VT_PARAMETER_KEY_PACKED);
   }
+  /// `parameter_value`, packed.
   const jktools::Packed *parameter_value_packed() const {
     return GetPointer<const jktools::Packed *>(VT_PARAMETER_VALUE_PACKED);
   }
@@ -3080,24 +3236,31 @@ struct Cogs FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *source() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SOURCE);
   }
+  /// The COG file.
   const ::flatbuffers::Vector<uint32_t> *script() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SCRIPT);
   }
+  /// Cuts `value`.
   const ::flatbuffers::Vector<uint32_t> *value_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VALUE_START);
   }
+  /// As written, in the order of the script's symbols that take one.
   const ::flatbuffers::Vector<uint32_t> *value() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VALUE);
   }
+  /// `source`, packed.
   const jktools::Packed *source_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SOURCE_PACKED);
   }
+  /// `script`, packed.
   const jktools::Packed *script_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SCRIPT_PACKED);
   }
+  /// `value_start`, packed.
   const jktools::Packed *value_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VALUE_START_PACKED);
   }
+  /// `value`, packed.
   const jktools::Packed *value_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VALUE_PACKED);
   }
@@ -3223,9 +3386,11 @@ struct Omission FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_SOURCE_PACKED = 14,
     VT_NAME_TEXT_PACKED = 16
   };
+  /// The section that leaves them out.
   const ::flatbuffers::String *section() const {
     return GetPointer<const ::flatbuffers::String *>(VT_SECTION);
   }
+  /// Why.
   const ::flatbuffers::String *reason() const {
     return GetPointer<const ::flatbuffers::String *>(VT_REASON);
   }
@@ -3237,12 +3402,15 @@ struct Omission FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *name() const {
     return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_NAME);
   }
+  /// The name of each record.
   const ::flatbuffers::Vector<uint32_t> *name_text() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_NAME_TEXT);
   }
+  /// `source`, packed.
   const jktools::Packed *source_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SOURCE_PACKED);
   }
+  /// `name_text`, packed.
   const jktools::Packed *name_text_packed() const {
     return GetPointer<const jktools::Packed *>(VT_NAME_TEXT_PACKED);
   }
@@ -3367,6 +3535,7 @@ struct Visibility FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *sector() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SECTOR);
   }
+  /// Cuts `row`, one part a sector.
   const ::flatbuffers::Vector<uint32_t> *row_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_ROW_START);
   }
@@ -3375,12 +3544,15 @@ struct Visibility FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *row() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_ROW);
   }
+  /// `sector`, packed.
   const jktools::Packed *sector_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SECTOR_PACKED);
   }
+  /// `row_start`, packed.
   const jktools::Packed *row_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ROW_START_PACKED);
   }
+  /// `row`, packed.
   const jktools::Packed *row_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ROW_PACKED);
   }
@@ -3510,9 +3682,11 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *cog() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_COG);
   }
+  /// The COG file.
   const ::flatbuffers::Vector<uint32_t> *script() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SCRIPT);
   }
+  /// The verb of sight, in lower case.
   const ::flatbuffers::Vector<uint32_t> *verb() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VERB);
   }
@@ -3538,12 +3712,15 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<double> *mean_sectors() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_MEAN_SECTORS);
   }
+  /// Surfaces tested.
   const ::flatbuffers::Vector<double> *mean_surfaces() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_MEAN_SURFACES);
   }
+  /// Sectors entered at most.
   const ::flatbuffers::Vector<int32_t> *most_sectors() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_MOST_SECTORS);
   }
+  /// Surfaces tested at most.
   const ::flatbuffers::Vector<int32_t> *most_surfaces() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_MOST_SURFACES);
   }
@@ -3555,42 +3732,55 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *verdict() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_VERDICT);
   }
+  /// `cog`, packed.
   const jktools::Packed *cog_packed() const {
     return GetPointer<const jktools::Packed *>(VT_COG_PACKED);
   }
+  /// `script`, packed.
   const jktools::Packed *script_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SCRIPT_PACKED);
   }
+  /// `verb`, packed.
   const jktools::Packed *verb_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VERB_PACKED);
   }
+  /// `line`, packed.
   const jktools::Packed *line_packed() const {
     return GetPointer<const jktools::Packed *>(VT_LINE_PACKED);
   }
+  /// `things`, packed.
   const jktools::Packed *things_packed() const {
     return GetPointer<const jktools::Packed *>(VT_THINGS_PACKED);
   }
+  /// `more`, packed.
   const jktools::Packed *more_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MORE_PACKED);
   }
+  /// `calls_per_second`, packed.
   const jktools::Packed *calls_per_second_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CALLS_PER_SECOND_PACKED);
   }
+  /// `mean_sectors`, packed.
   const jktools::Packed *mean_sectors_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MEAN_SECTORS_PACKED);
   }
+  /// `mean_surfaces`, packed.
   const jktools::Packed *mean_surfaces_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MEAN_SURFACES_PACKED);
   }
+  /// `most_sectors`, packed.
   const jktools::Packed *most_sectors_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MOST_SECTORS_PACKED);
   }
+  /// `most_surfaces`, packed.
   const jktools::Packed *most_surfaces_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MOST_SURFACES_PACKED);
   }
+  /// `pairs`, packed.
   const jktools::Packed *pairs_packed() const {
     return GetPointer<const jktools::Packed *>(VT_PAIRS_PACKED);
   }
+  /// `verdict`, packed.
   const jktools::Packed *verdict_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VERDICT_PACKED);
   }
@@ -3899,9 +4089,11 @@ struct Lights FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *thing() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_THING);
   }
+  /// x y z, JKU.
   const ::flatbuffers::Vector<float> *position() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_POSITION);
   }
+  /// At the thing.
   const ::flatbuffers::Vector<float> *intensity() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_INTENSITY);
   }
@@ -3913,30 +4105,39 @@ struct Lights FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *vertex_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VERTEX_START);
   }
+  /// The vertices that it lights.
   const ::flatbuffers::Vector<int32_t> *vertex() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_VERTEX);
   }
+  /// What it adds to the light of each.
   const ::flatbuffers::Vector<float> *amount() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_AMOUNT);
   }
+  /// `thing`, packed.
   const jktools::Packed *thing_packed() const {
     return GetPointer<const jktools::Packed *>(VT_THING_PACKED);
   }
+  /// `position`, packed.
   const jktools::Packed *position_packed() const {
     return GetPointer<const jktools::Packed *>(VT_POSITION_PACKED);
   }
+  /// `intensity`, packed.
   const jktools::Packed *intensity_packed() const {
     return GetPointer<const jktools::Packed *>(VT_INTENSITY_PACKED);
   }
+  /// `reach`, packed.
   const jktools::Packed *reach_packed() const {
     return GetPointer<const jktools::Packed *>(VT_REACH_PACKED);
   }
+  /// `vertex_start`, packed.
   const jktools::Packed *vertex_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VERTEX_START_PACKED);
   }
+  /// `vertex`, packed.
   const jktools::Packed *vertex_packed() const {
     return GetPointer<const jktools::Packed *>(VT_VERTEX_PACKED);
   }
+  /// `amount`, packed.
   const jktools::Packed *amount_packed() const {
     return GetPointer<const jktools::Packed *>(VT_AMOUNT_PACKED);
   }
@@ -4145,6 +4346,7 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *template_() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_TEMPLATE_);
   }
+  /// What each particle is drawn with.
   const ::flatbuffers::Vector<int32_t> *material() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_MATERIAL);
   }
@@ -4160,12 +4362,15 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *timer_ms() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_TIMER_MS);
   }
+  /// The parameter `typeflags`.
   const ::flatbuffers::Vector<uint32_t> *flags() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_FLAGS);
   }
+  /// The parameter of that name, JKU.
   const ::flatbuffers::Vector<float> *range() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_RANGE);
   }
+  /// The parameter of that name, JKU.
   const ::flatbuffers::Vector<float> *minsize() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_MINSIZE);
   }
@@ -4181,9 +4386,11 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *elementsize() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_ELEMENTSIZE);
   }
+  /// Degrees.
   const ::flatbuffers::Vector<float> *pitchrange() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_PITCHRANGE);
   }
+  /// Degrees.
   const ::flatbuffers::Vector<float> *yawrange() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_YAWRANGE);
   }
@@ -4191,45 +4398,59 @@ struct Particles FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *light_mode() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_LIGHT_MODE);
   }
+  /// `template`, packed.
   const jktools::Packed *template_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TEMPLATE_PACKED);
   }
+  /// `material`, packed.
   const jktools::Packed *material_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MATERIAL_PACKED);
   }
+  /// `cels`, packed.
   const jktools::Packed *cels_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CELS_PACKED);
   }
+  /// `spawned`, packed.
   const jktools::Packed *spawned_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SPAWNED_PACKED);
   }
+  /// `timer_ms`, packed.
   const jktools::Packed *timer_ms_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TIMER_MS_PACKED);
   }
+  /// `flags`, packed.
   const jktools::Packed *flags_packed() const {
     return GetPointer<const jktools::Packed *>(VT_FLAGS_PACKED);
   }
+  /// `range`, packed.
   const jktools::Packed *range_packed() const {
     return GetPointer<const jktools::Packed *>(VT_RANGE_PACKED);
   }
+  /// `minsize`, packed.
   const jktools::Packed *minsize_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MINSIZE_PACKED);
   }
+  /// `lost_a_step`, packed.
   const jktools::Packed *lost_a_step_packed() const {
     return GetPointer<const jktools::Packed *>(VT_LOST_A_STEP_PACKED);
   }
+  /// `maxthrust`, packed.
   const jktools::Packed *maxthrust_packed() const {
     return GetPointer<const jktools::Packed *>(VT_MAXTHRUST_PACKED);
   }
+  /// `elementsize`, packed.
   const jktools::Packed *elementsize_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ELEMENTSIZE_PACKED);
   }
+  /// `pitchrange`, packed.
   const jktools::Packed *pitchrange_packed() const {
     return GetPointer<const jktools::Packed *>(VT_PITCHRANGE_PACKED);
   }
+  /// `yawrange`, packed.
   const jktools::Packed *yawrange_packed() const {
     return GetPointer<const jktools::Packed *>(VT_YAWRANGE_PACKED);
   }
+  /// `light_mode`, packed.
   const jktools::Packed *light_mode_packed() const {
     return GetPointer<const jktools::Packed *>(VT_LIGHT_MODE_PACKED);
   }
@@ -4554,6 +4775,7 @@ struct ColourEffects FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *cog() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_COG);
   }
+  /// The COG file.
   const ::flatbuffers::Vector<uint32_t> *script() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SCRIPT);
   }
@@ -4573,21 +4795,27 @@ struct ColourEffects FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *palette() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_PALETTE);
   }
+  /// `cog`, packed.
   const jktools::Packed *cog_packed() const {
     return GetPointer<const jktools::Packed *>(VT_COG_PACKED);
   }
+  /// `script`, packed.
   const jktools::Packed *script_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SCRIPT_PACKED);
   }
+  /// `line`, packed.
   const jktools::Packed *line_packed() const {
     return GetPointer<const jktools::Packed *>(VT_LINE_PACKED);
   }
+  /// `argument`, packed.
   const jktools::Packed *argument_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ARGUMENT_PACKED);
   }
+  /// `colormap`, packed.
   const jktools::Packed *colormap_packed() const {
     return GetPointer<const jktools::Packed *>(VT_COLORMAP_PACKED);
   }
+  /// `palette`, packed.
   const jktools::Packed *palette_packed() const {
     return GetPointer<const jktools::Packed *>(VT_PALETTE_PACKED);
   }
@@ -4777,24 +5005,31 @@ struct Motion FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *template_() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_TEMPLATE_);
   }
+  /// Speed forwards, JKU/s.
   const ::flatbuffers::Vector<double> *walk() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_WALK);
   }
+  /// Speed backwards, JKU/s.
   const ::flatbuffers::Vector<double> *back() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_BACK);
   }
+  /// Speed sideways, JKU/s.
   const ::flatbuffers::Vector<double> *strafe() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_STRAFE);
   }
+  /// Speed running, JKU/s.
   const ::flatbuffers::Vector<double> *run() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_RUN);
   }
+  /// Speed crouched, JKU/s.
   const ::flatbuffers::Vector<double> *crouch() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_CROUCH);
   }
+  /// Speed in the air, JKU/s.
   const ::flatbuffers::Vector<double> *air() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_AIR);
   }
+  /// Speed in water, JKU/s.
   const ::flatbuffers::Vector<double> *swim() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_SWIM);
   }
@@ -4802,61 +5037,80 @@ struct Motion FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<double> *stop_walk() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_STOP_WALK);
   }
+  /// As `stop_walk`, from a run.
   const ::flatbuffers::Vector<double> *stop_run() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_STOP_RUN);
   }
+  /// JKU. Jumps are at 50 frames a second; at `fast` by the closed form, at `exact` the least over 10 to 120 frames.
   const ::flatbuffers::Vector<double> *jump_height() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_JUMP_HEIGHT);
   }
+  /// JKU.
   const ::flatbuffers::Vector<double> *crouched_jump_height() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_CROUCHED_JUMP_HEIGHT);
   }
-  /// Over level ground, from a walk and from a run.
+  /// Until the body is as high again as it started, from a walk and from a run, the forward key held: not until it lands,
+  /// which the hover height decides.
   const ::flatbuffers::Vector<double> *jump_reach() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_JUMP_REACH);
   }
+  /// As `jump_reach`, from a run.
   const ::flatbuffers::Vector<double> *run_jump_reach() const {
     return GetPointer<const ::flatbuffers::Vector<double> *>(VT_RUN_JUMP_REACH);
   }
+  /// `template`, packed.
   const jktools::Packed *template_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TEMPLATE_PACKED);
   }
+  /// `walk`, packed.
   const jktools::Packed *walk_packed() const {
     return GetPointer<const jktools::Packed *>(VT_WALK_PACKED);
   }
+  /// `back`, packed.
   const jktools::Packed *back_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BACK_PACKED);
   }
+  /// `strafe`, packed.
   const jktools::Packed *strafe_packed() const {
     return GetPointer<const jktools::Packed *>(VT_STRAFE_PACKED);
   }
+  /// `run`, packed.
   const jktools::Packed *run_packed() const {
     return GetPointer<const jktools::Packed *>(VT_RUN_PACKED);
   }
+  /// `crouch`, packed.
   const jktools::Packed *crouch_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CROUCH_PACKED);
   }
+  /// `air`, packed.
   const jktools::Packed *air_packed() const {
     return GetPointer<const jktools::Packed *>(VT_AIR_PACKED);
   }
+  /// `swim`, packed.
   const jktools::Packed *swim_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SWIM_PACKED);
   }
+  /// `stop_walk`, packed.
   const jktools::Packed *stop_walk_packed() const {
     return GetPointer<const jktools::Packed *>(VT_STOP_WALK_PACKED);
   }
+  /// `stop_run`, packed.
   const jktools::Packed *stop_run_packed() const {
     return GetPointer<const jktools::Packed *>(VT_STOP_RUN_PACKED);
   }
+  /// `jump_height`, packed.
   const jktools::Packed *jump_height_packed() const {
     return GetPointer<const jktools::Packed *>(VT_JUMP_HEIGHT_PACKED);
   }
+  /// `crouched_jump_height`, packed.
   const jktools::Packed *crouched_jump_height_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CROUCHED_JUMP_HEIGHT_PACKED);
   }
+  /// `jump_reach`, packed.
   const jktools::Packed *jump_reach_packed() const {
     return GetPointer<const jktools::Packed *>(VT_JUMP_REACH_PACKED);
   }
+  /// `run_jump_reach`, packed.
   const jktools::Packed *run_jump_reach_packed() const {
     return GetPointer<const jktools::Packed *>(VT_RUN_JUMP_REACH_PACKED);
   }
@@ -5221,6 +5475,7 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *body_movesize() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_MOVESIZE);
   }
+  /// The height that it floats above floors, JKU.
   const ::flatbuffers::Vector<float> *body_hover() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_HOVER);
   }
@@ -5228,12 +5483,15 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *body_reattach() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_REATTACH);
   }
+  /// JKU.
   const ::flatbuffers::Vector<float> *body_step() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_STEP);
   }
+  /// JKU.
   const ::flatbuffers::Vector<float> *body_jump() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_JUMP);
   }
+  /// The parameter `physflags`.
   const ::flatbuffers::Vector<uint32_t> *body_physics_flags() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_PHYSICS_FLAGS);
   }
@@ -5245,6 +5503,7 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *body_name_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_NAME_START);
   }
+  /// Their names.
   const ::flatbuffers::Vector<uint32_t> *body_name() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_NAME);
   }
@@ -5264,6 +5523,7 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *start() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_START);
   }
+  /// Above `start`, to 1.
   const ::flatbuffers::Vector<float> *end() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_END);
   }
@@ -5287,6 +5547,7 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *drop_start() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_DROP_START);
   }
+  /// At `end`.
   const ::flatbuffers::Vector<float> *drop_end() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_DROP_END);
   }
@@ -5294,99 +5555,127 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *traits() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_TRAITS);
   }
+  /// `body_movesize`, packed.
   const jktools::Packed *body_movesize_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_MOVESIZE_PACKED);
   }
+  /// `body_hover`, packed.
   const jktools::Packed *body_hover_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_HOVER_PACKED);
   }
+  /// `body_reattach`, packed.
   const jktools::Packed *body_reattach_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_REATTACH_PACKED);
   }
+  /// `body_step`, packed.
   const jktools::Packed *body_step_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_STEP_PACKED);
   }
+  /// `body_jump`, packed.
   const jktools::Packed *body_jump_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_JUMP_PACKED);
   }
+  /// `body_physics_flags`, packed.
   const jktools::Packed *body_physics_flags_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_PHYSICS_FLAGS_PACKED);
   }
+  /// `body_player`, packed.
   const jktools::Packed *body_player_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_PLAYER_PACKED);
   }
+  /// `body_name_start`, packed.
   const jktools::Packed *body_name_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_NAME_START_PACKED);
   }
+  /// `body_name`, packed.
   const jktools::Packed *body_name_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_NAME_PACKED);
   }
+  /// `body_ledge_start`, packed.
   const jktools::Packed *body_ledge_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_LEDGE_START_PACKED);
   }
+  /// `surface`, packed.
   const jktools::Packed *surface_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_PACKED);
   }
+  /// `corner`, packed.
   const jktools::Packed *corner_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CORNER_PACKED);
   }
+  /// `start`, packed.
   const jktools::Packed *start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_START_PACKED);
   }
+  /// `end`, packed.
   const jktools::Packed *end_packed() const {
     return GetPointer<const jktools::Packed *>(VT_END_PACKED);
   }
+  /// `kind`, packed.
   const jktools::Packed *kind_packed() const {
     return GetPointer<const jktools::Packed *>(VT_KIND_PACKED);
   }
+  /// `other_kind`, packed.
   const jktools::Packed *other_kind_packed() const {
     return GetPointer<const jktools::Packed *>(VT_OTHER_KIND_PACKED);
   }
+  /// `below`, packed.
   const jktools::Packed *below_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BELOW_PACKED);
   }
+  /// `thing`, packed.
   const jktools::Packed *thing_packed() const {
     return GetPointer<const jktools::Packed *>(VT_THING_PACKED);
   }
+  /// `drop_start`, packed.
   const jktools::Packed *drop_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_DROP_START_PACKED);
   }
+  /// `drop_end`, packed.
   const jktools::Packed *drop_end_packed() const {
     return GetPointer<const jktools::Packed *>(VT_DROP_END_PACKED);
   }
+  /// `traits`, packed.
   const jktools::Packed *traits_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TRAITS_PACKED);
   }
-  /// For the edge of a thing: its source index, where it is (-1 as it is placed, else its frame) and the face of its
-  /// model at rest; -1 for a surface's.
+  /// For the edge of a thing: its source index; -1 for a surface's.
   const ::flatbuffers::Vector<int32_t> *carrier() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER);
   }
+  /// Where that thing is: -1 as it is placed, else its frame.
   const ::flatbuffers::Vector<int32_t> *carrier_frame() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER_FRAME);
   }
+  /// The face of its model at rest whose edge it is; -1 for a surface's.
   const ::flatbuffers::Vector<int32_t> *carrier_face() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_CARRIER_FACE);
   }
-  /// Source index of the thing come onto, or that blocks, and the face of its model at rest; -1 for none.
+  /// Source index of the thing come onto, or that blocks; -1 for none.
   const ::flatbuffers::Vector<int32_t> *onto() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ONTO);
   }
+  /// The face of its model at rest; -1 for none.
   const ::flatbuffers::Vector<int32_t> *onto_face() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_ONTO_FACE);
   }
+  /// `carrier`, packed.
   const jktools::Packed *carrier_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CARRIER_PACKED);
   }
+  /// `carrier_frame`, packed.
   const jktools::Packed *carrier_frame_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CARRIER_FRAME_PACKED);
   }
+  /// `carrier_face`, packed.
   const jktools::Packed *carrier_face_packed() const {
     return GetPointer<const jktools::Packed *>(VT_CARRIER_FACE_PACKED);
   }
+  /// `onto`, packed.
   const jktools::Packed *onto_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ONTO_PACKED);
   }
+  /// `onto_face`, packed.
   const jktools::Packed *onto_face_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ONTO_FACE_PACKED);
   }
@@ -5937,12 +6226,15 @@ struct Basins FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_ENTERED_PACKED = 28,
     VT_LEFT_PACKED = 30
   };
+  /// Whose basin it is.
   const ::flatbuffers::Vector<int32_t> *body() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_BODY);
   }
+  /// Cuts `surface`.
   const ::flatbuffers::Vector<uint32_t> *surface_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_SURFACE_START);
   }
+  /// Its floors.
   const ::flatbuffers::Vector<int32_t> *surface() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_SURFACE);
   }
@@ -5950,6 +6242,7 @@ struct Basins FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *shallowest() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_SHALLOWEST);
   }
+  /// As `shallowest`.
   const ::flatbuffers::Vector<float> *deepest() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_DEEPEST);
   }
@@ -5961,24 +6254,31 @@ struct Basins FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *left() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_LEFT);
   }
+  /// `body`, packed.
   const jktools::Packed *body_packed() const {
     return GetPointer<const jktools::Packed *>(VT_BODY_PACKED);
   }
+  /// `surface_start`, packed.
   const jktools::Packed *surface_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_START_PACKED);
   }
+  /// `surface`, packed.
   const jktools::Packed *surface_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SURFACE_PACKED);
   }
+  /// `shallowest`, packed.
   const jktools::Packed *shallowest_packed() const {
     return GetPointer<const jktools::Packed *>(VT_SHALLOWEST_PACKED);
   }
+  /// `deepest`, packed.
   const jktools::Packed *deepest_packed() const {
     return GetPointer<const jktools::Packed *>(VT_DEEPEST_PACKED);
   }
+  /// `entered`, packed.
   const jktools::Packed *entered_packed() const {
     return GetPointer<const jktools::Packed *>(VT_ENTERED_PACKED);
   }
+  /// `left`, packed.
   const jktools::Packed *left_packed() const {
     return GetPointer<const jktools::Packed *>(VT_LEFT_PACKED);
   }
@@ -6149,6 +6449,7 @@ inline ::flatbuffers::Offset<Basins> CreateBasinsDirect(
       left_packed);
 }
 
+/// The whole file.
 struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef LevelBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
@@ -6183,9 +6484,11 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   uint16_t format_major() const {
     return GetField<uint16_t>(VT_FORMAT_MAJOR, 0);
   }
+  /// Grows when fields are added.
   uint16_t format_minor() const {
     return GetField<uint16_t>(VT_FORMAT_MINOR, 0);
   }
+  /// Of the jktools that wrote it.
   const ::flatbuffers::String *tool_version() const {
     return GetPointer<const ::flatbuffers::String *>(VT_TOOL_VERSION);
   }
@@ -6193,61 +6496,79 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *checksum() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_CHECKSUM);
   }
+  /// The level's source first.
   const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Input>> *inputs() const {
     return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Input>> *>(VT_INPUTS);
   }
+  /// What it was compiled for.
   const jktools::Settings *settings() const {
     return GetPointer<const jktools::Settings *>(VT_SETTINGS);
   }
+  /// One for each section, in the order of the file.
   const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Pass>> *passes() const {
     return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Pass>> *>(VT_PASSES);
   }
-  /// Every text of the level, each once, in order of first use.
+  /// Up to 1.1, every text of the level; since then it is empty, and `text` has them.
   const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *strings() const {
     return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_STRINGS);
   }
+  /// The header of the level.
   const jktools::World *world() const {
     return GetPointer<const jktools::World *>(VT_WORLD);
   }
+  /// Always there.
   const jktools::Resources *resources() const {
     return GetPointer<const jktools::Resources *>(VT_RESOURCES);
   }
+  /// Always there.
   const jktools::Geometry *geometry() const {
     return GetPointer<const jktools::Geometry *>(VT_GEOMETRY);
   }
+  /// What things are made of.
   const jktools::Templates *templates() const {
     return GetPointer<const jktools::Templates *>(VT_TEMPLATES);
   }
+  /// What is placed.
   const jktools::Things *things() const {
     return GetPointer<const jktools::Things *>(VT_THINGS);
   }
+  /// The scripts that are placed.
   const jktools::Cogs *cogs() const {
     return GetPointer<const jktools::Cogs *>(VT_COGS);
   }
+  /// What was left out.
   const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>> *omissions() const {
     return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Omission>> *>(VT_OMISSIONS);
   }
+  /// Which sectors see which.
   const jktools::Visibility *visibility() const {
     return GetPointer<const jktools::Visibility *>(VT_VISIBILITY);
   }
+  /// What tests of sight cost.
   const jktools::Hotspots *hotspots() const {
     return GetPointer<const jktools::Hotspots *>(VT_HOTSPOTS);
   }
+  /// What lamps light.
   const jktools::Lights *lights() const {
     return GetPointer<const jktools::Lights *>(VT_LIGHTS);
   }
+  /// Clouds of particles.
   const jktools::Particles *particles() const {
     return GetPointer<const jktools::Particles *>(VT_PARTICLES);
   }
+  /// What the palettes become.
   const jktools::ColourEffects *colour_effects() const {
     return GetPointer<const jktools::ColourEffects *>(VT_COLOUR_EFFECTS);
   }
+  /// How fast bodies are.
   const jktools::Motion *motion() const {
     return GetPointer<const jktools::Motion *>(VT_MOTION);
   }
+  /// What bodies meet at edges.
   const jktools::Ledges *ledges() const {
     return GetPointer<const jktools::Ledges *>(VT_LEDGES);
   }
+  /// Where bodies do not get out.
   const jktools::Basins *basins() const {
     return GetPointer<const jktools::Basins *>(VT_BASINS);
   }
@@ -6259,6 +6580,7 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *text_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_TEXT_START);
   }
+  /// `text_start`, packed.
   const jktools::Packed *text_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TEXT_START_PACKED);
   }

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tools.format_page import format_page
 from tools.parameter_page import parameter_page
 from tools.reach_table import reach_table
 from tools.rule_pages import count_corpus, rule_pages
@@ -63,7 +64,14 @@ def level_code(into: Path) -> list[Path]:
 
 def generate(into: Path) -> list[Path]:
     """Write everything beneath `into` and list it."""
-    return [*native_stubs(into), *level_code(into), runtime_sections(into), parameter_page(into), *rule_pages(into)]
+    return [
+        *native_stubs(into),
+        *level_code(into),
+        runtime_sections(into),
+        parameter_page(into),
+        format_page(into),
+        *rule_pages(into),
+    ]
 
 
 def main() -> None:

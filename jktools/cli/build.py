@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 import click
@@ -45,6 +46,7 @@ _PASS = click.Choice(CHOICES)
     "--jobs", type=click.IntRange(min=0), default=1, show_default=True, metavar="N",
     help="Levels compiled at a time, each in a process of its own; 0 means one a core.",
 )  # fmt: skip
+@click.option("-v", "--verbose", is_flag=True, help="Tell the seconds that each pass took, by level and in all.")
 @click.option("-q", "--quiet", is_flag=True, help="Do not list what was written.")
 @common
 def command(
@@ -57,6 +59,7 @@ def command(
     engine: str,
     accuracy: Accuracy,
     jobs: int,
+    verbose: bool,
     quiet: bool,
     game: Game | None,
     base: tuple[str, ...],
@@ -70,7 +73,7 @@ def command(
 
     Levels of the same name from several packs go to OUT/<pack>/<name>.jklb. A JKL without GEORESOURCE, as
     static.jkl, is skipped with a note. A pass computes one section of the file; `jktools inspect` tells which ran and
-    why another did not.
+    why another did not. What several passes share counts for the first of them.
 
     Exit status: 0 all written, 1 a level cannot be compiled, 2 bad usage or a PATH that cannot be read, 3 a bug in
     jktools.
@@ -89,9 +92,13 @@ def command(
         )
         built = build_all(paths, out, settings, report, compiling, jobs)
     if not quiet:
-        for each in built.written:
+        for each, times in zip(built.written, built.times, strict=True):
             grid = f", vertices in steps of {printable_step(each.step)} JKU" if each.step else ""
             click.echo(printable(f"{each.level} -> {each.target} ({each.size} bytes{grid})"))
+            if verbose:
+                click.echo("  " + _seconds(times))
+        if verbose and len(built.times) > 1:
+            click.echo(f"{len(built.times)} levels: {_seconds(_summed(built.times))}")
     for message in built.skipped:
         note(message)
     for message in (*built.refused, *built.problems, *built.bugs):
@@ -101,3 +108,16 @@ def command(
     if built.problems:
         return Status.USAGE
     return Status.FINDINGS if built.refused else Status.CLEAN
+
+
+def _summed(times: Iterable[Mapping[str, float]]) -> Mapping[str, float]:
+    total: dict[str, float] = {}
+    for each in times:
+        for name, seconds in each.items():
+            total[name] = total.get(name, 0.0) + seconds
+    return total
+
+
+def _seconds(times: Mapping[str, float]) -> str:
+    steps = ", ".join(f"{name} {seconds:.3f}" for name, seconds in times.items())
+    return f"{sum(times.values()):.3f} s: {steps}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from jktools.cli.app import base_option, problem
+from jktools.cli.app import base_option, note, problem
 from jktools.cli.configured import configured
 from jktools.cli.status import Status
 from jktools.emit import cog as report
@@ -17,6 +17,9 @@ from jktools.session.levels import SCRIPT_EXTENSION
 from jktools.session.settings import Game
 from jktools.source import InputError
 from jktools.syntax.cog import read_script
+
+MOST_NAMED = 3
+"""Scripts that a note names."""
 
 
 @click.command("cog")
@@ -40,7 +43,13 @@ def command(
     costs = None
     if level is not None:
         loaded = load(level, base, game)
-        costs = summarise_costs(loaded.path, LevelFacts(loaded).hotspots)
+        level_facts = LevelFacts(loaded)
+        costs = summarise_costs(loaded.path, level_facts.hotspots)
+        unread = [each.name for each in level_facts.reach.unread] if costs else []
+        if unread:
+            left = len(unread) - MOST_NAMED
+            named = ", ".join(unread[:MOST_NAMED]) + f" and {left} more" * (left > 0)
+            note(f"{loaded.path}: what these may send is not counted, since they are not at hand (--base): {named}")
     told: list[report.Told] = []
     problems: list[str] = []
     for group, found in configured(paths, config):

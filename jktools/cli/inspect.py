@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import click
 
+from jktools.cli.app import base_option, problem
+from jktools.cli.status import Status
 from jktools.compiler import open_compiled
 from jktools.emit import compiled
 
@@ -12,13 +14,37 @@ from jktools.emit import compiled
 @click.argument("file", metavar="FILE")
 @click.option("--json", "as_json", is_flag=True, help="The same as JSON, with the form of every column.")
 @click.option("--columns", is_flag=True, help="Show the form and size of every column.")
-@click.option("--verify", is_flag=True, help="Compare the checksum too, which finds every changed byte.")
-def command(file: str, as_json: bool, columns: bool, verify: bool) -> int:
-    """Show what a compiled level holds: sections, counts, sizes, passes."""
+@click.option(
+    "--verify", is_flag=True,
+    help="Compare the checksum, compile the level again with the settings that the file records, and compare.",
+)  # fmt: skip
+@click.option(
+    "--source", metavar="PATH",
+    help="What --verify compiles: a level, or what it lies in; else it is looked for beside FILE and in the bases.",
+)  # fmt: skip
+@base_option
+def command(file: str, as_json: bool, columns: bool, verify: bool, source: str | None, base: tuple[str, ...]) -> int:
+    """Show what a compiled level holds: sections, counts, sizes, passes.
+
+    --verify needs what the level was compiled with: the same --base. Where the source is not at hand it says so, and
+    checks what follows from the file itself.
+
+    Exit status: 0, 1 when --verify finds a difference, 2 bad usage or a file that cannot be read.
+    """
+    if (source or base) and not verify:
+        raise click.UsageError("--source and --base are for --verify")
     level = open_compiled(file, verify=verify)
-    verified = ["the checksum is that of the file"] if verify else []
+    verified, fault = [], None
+    if verify:
+        from jktools.session.verifying import verify as verified_level  # noqa: PLC0415 (inspect alone compiles nothing)
+
+        verdict = verified_level(level, source, base)
+        verified, fault = ["the checksum is that of the file", *verdict.told], verdict.fault
     if as_json:
-        click.echo(compiled.json(level, verified=verified), nl=False)
+        click.echo(compiled.json(level, verified=verified, fault=fault), nl=False)
     else:
         click.echo("\n".join(compiled.text(level, verified=verified, columns=columns)))
-    return 0
+    if fault is not None:
+        problem(f"{file} is not what it was compiled from: {fault}")
+        return Status.FINDINGS
+    return Status.CLEAN

@@ -60,6 +60,7 @@ class Packed(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # Numbers 0 to 255.
     # Packed
     def U8(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -87,6 +88,7 @@ class Packed(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
         return o == 0
 
+    # Numbers -32768 to 32767.
     # Packed
     def I16(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -114,6 +116,7 @@ class Packed(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
+    # Numbers 0 to 65535.
     # Packed
     def U16(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -141,6 +144,7 @@ class Packed(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # Numbers of 32 bits with a sign.
     # Packed
     def I32(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -168,6 +172,7 @@ class Packed(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
+    # Numbers of 32 bits without a sign.
     # Packed
     def U32(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -195,6 +200,7 @@ class Packed(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # Single precision.
     # Packed
     def F32(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -222,6 +228,7 @@ class Packed(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
+    # Double precision.
     # Packed
     def F64(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -277,6 +284,7 @@ class Packed(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
         return o == 0
 
+    # As `index8`, for pools of more than 256 rows.
     # Packed
     def Index16(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -312,6 +320,7 @@ class Packed(object):
             return self._tab.Get(flatbuffers.number_types.Uint32Flags, o + self._tab.Pos)
         return 0
 
+    # The first of numbers that follow each other, where there are no values.
     # Packed
     def First(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -537,6 +546,7 @@ class Settings(object):
     def Init(self, buf, pos):
         self._tab = flatbuffers.table.Table(buf, pos)
 
+    # `jk` or `mots` (Mysteries of the Sith), whose reading of the source applied.
     # Settings
     def Game(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
@@ -544,6 +554,7 @@ class Settings(object):
             return self._tab.String(o + self._tab.Pos)
         return None
 
+    # `research` or `openjkdf2`: the profile whose rules sight, floors, ledges and motion follow (docs/engine.md).
     # Settings
     def Engine(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -551,6 +562,7 @@ class Settings(object):
             return self._tab.String(o + self._tab.Pos)
         return None
 
+    # `fast`, `balanced` or `exact`.
     # Settings
     def Accuracy(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -663,6 +675,7 @@ class Pass(object):
     def Init(self, buf, pos):
         self._tab = flatbuffers.table.Table(buf, pos)
 
+    # The section that the pass computes.
     # Pass
     def Name(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
@@ -670,6 +683,7 @@ class Pass(object):
             return self._tab.String(o + self._tab.Pos)
         return None
 
+    # Whether its section is in the file.
     # Pass
     def Ran(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -677,6 +691,7 @@ class Pass(object):
             return bool(self._tab.Get(flatbuffers.number_types.BoolFlags, o + self._tab.Pos))
         return False
 
+    # Why it did not run, or what it left out and why.
     # Pass
     def Note(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -724,6 +739,7 @@ class World(object):
     def Init(self, buf, pos):
         self._tab = flatbuffers.table.Table(buf, pos)
 
+    # The line `version`, which is 1 in levels of both games.
     # World
     def Version(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
@@ -731,6 +747,7 @@ class World(object):
             return self._tab.Get(flatbuffers.number_types.Int32Flags, o + self._tab.Pos)
         return 0
 
+    # JKU/s²; 4 in most levels.
     # World
     def Gravity(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -738,6 +755,7 @@ class World(object):
             return self._tab.Get(flatbuffers.number_types.Float32Flags, o + self._tab.Pos)
         return 0.0
 
+    # Height of the ceiling sky, JKU.
     # World
     def CeilingSkyZ(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -745,6 +763,7 @@ class World(object):
             return self._tab.Get(flatbuffers.number_types.Float32Flags, o + self._tab.Pos)
         return 0.0
 
+    # Of the horizon sky, as written.
     # World
     def HorizonDistance(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -752,6 +771,7 @@ class World(object):
             return self._tab.Get(flatbuffers.number_types.Float32Flags, o + self._tab.Pos)
         return 0.0
 
+    # Of the horizon sky: pixels of its texture in a full turn.
     # World
     def HorizonPixelsPerRev(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -759,6 +779,7 @@ class World(object):
             return self._tab.Get(flatbuffers.number_types.Float32Flags, o + self._tab.Pos)
         return 0.0
 
+    # u v, pixels.
     # World
     def HorizonSkyOffset(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -786,6 +807,7 @@ class World(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # u v, pixels.
     # World
     def CeilingSkyOffset(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -813,6 +835,7 @@ class World(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
+    # Four distances at which textures change to their next mipmap, JKU.
     # World
     def MipmapDistances(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -840,6 +863,7 @@ class World(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
         return o == 0
 
+    # Four distances at which models change to their next level of detail, JKU.
     # World
     def LodDistances(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
@@ -867,6 +891,7 @@ class World(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
         return o == 0
 
+    # As written, JKU.
     # World
     def PerspectiveDistance(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -874,6 +899,7 @@ class World(object):
             return self._tab.Get(flatbuffers.number_types.Float32Flags, o + self._tab.Pos)
         return 0.0
 
+    # As written, JKU.
     # World
     def GouraudDistance(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -957,6 +983,7 @@ class Resources(object):
     def Init(self, buf, pos):
         self._tab = flatbuffers.table.Table(buf, pos)
 
+    # SOUNDS: WAV files.
     # Resources
     def Sounds(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
@@ -984,6 +1011,7 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # MATERIALS: MAT files. Surfaces count this list.
     # Resources
     def Materials(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -1011,6 +1039,7 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
         return o == 0
 
+    # The colormaps of GEORESOURCE: CMP files. Sectors count this list.
     # Resources
     def Colormaps(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -1038,6 +1067,7 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
+    # AICLASS: AI files.
     # Resources
     def Aiclasses(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -1065,6 +1095,7 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # MODELS: 3DO files.
     # Resources
     def Models(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -1092,6 +1123,7 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
+    # SPRITES: SPR files.
     # Resources
     def Sprites(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -1119,6 +1151,7 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # KEYFRAMES: KEY files.
     # Resources
     def Keyframes(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -1146,6 +1179,7 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
+    # ANIMCLASS: PUP files.
     # Resources
     def Animclasses(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -1173,6 +1207,7 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
         return o == 0
 
+    # SOUNDCLASS: SND files.
     # Resources
     def Soundclasses(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
@@ -1200,6 +1235,7 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
         return o == 0
 
+    # COGSCRIPTS: COG files.
     # Resources
     def Cogscripts(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -1227,6 +1263,7 @@ class Resources(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
+    # `sounds`, packed.
     # Resources
     def SoundsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -1237,6 +1274,7 @@ class Resources(object):
             return obj
         return None
 
+    # `materials`, packed.
     # Resources
     def MaterialsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -1247,6 +1285,7 @@ class Resources(object):
             return obj
         return None
 
+    # `colormaps`, packed.
     # Resources
     def ColormapsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
@@ -1257,6 +1296,7 @@ class Resources(object):
             return obj
         return None
 
+    # `aiclasses`, packed.
     # Resources
     def AiclassesPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
@@ -1267,6 +1307,7 @@ class Resources(object):
             return obj
         return None
 
+    # `models`, packed.
     # Resources
     def ModelsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
@@ -1277,6 +1318,7 @@ class Resources(object):
             return obj
         return None
 
+    # `sprites`, packed.
     # Resources
     def SpritesPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
@@ -1287,6 +1329,7 @@ class Resources(object):
             return obj
         return None
 
+    # `keyframes`, packed.
     # Resources
     def KeyframesPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
@@ -1297,6 +1340,7 @@ class Resources(object):
             return obj
         return None
 
+    # `animclasses`, packed.
     # Resources
     def AnimclassesPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
@@ -1307,6 +1351,7 @@ class Resources(object):
             return obj
         return None
 
+    # `soundclasses`, packed.
     # Resources
     def SoundclassesPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
@@ -1317,6 +1362,7 @@ class Resources(object):
             return obj
         return None
 
+    # `cogscripts`, packed.
     # Resources
     def CogscriptsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
@@ -1448,7 +1494,7 @@ class Geometry(object):
     def Init(self, buf, pos):
         self._tab = flatbuffers.table.Table(buf, pos)
 
-    # x y z of each vertex, float32 as the engine reads it.
+    # x y z of each vertex, JKU: float32 as the engine reads it, at `fast` on a grid.
     # Geometry
     def Vertices(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
@@ -1504,6 +1550,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
         return o == 0
 
+    # 0x1 sight and drawing pass, 0x2 movement, 0x4 sound; 0x8 not for AI, 0x10 not for the player.
     # Geometry
     def AdjoinFlags(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -1559,6 +1606,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # As written, JKU: from the sector's centre to the surface, by the measure of the editor.
     # Geometry
     def AdjoinDistance(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -1614,6 +1662,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # -1 is none: the surface is then not drawn.
     # Geometry
     def SurfaceMaterial(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -1641,6 +1690,8 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
+    # 0x1 floor, 0x4 collides, 0x8 AI does not walk there, 0x80 no fall damage, 0x200 and 0x400 horizon and
+    # ceiling sky, 0x1000 and 0x2000 ice.
     # Geometry
     def SurfaceFlags(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -1668,6 +1719,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
         return o == 0
 
+    # 0x1 two-sided, 0x2 translucent. 0x4 is in most files and means nothing.
     # Geometry
     def SurfaceFaceFlags(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
@@ -1695,6 +1747,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
         return o == 0
 
+    # 0 not drawn, 1 vertices, 2 wire frame, 3 one colour, 4 textured, 5 as 4.
     # Geometry
     def SurfaceGeometryMode(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -1722,6 +1775,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
+    # 0 fully lit, 1 not lit, 2 diffuse, 3 gouraud.
     # Geometry
     def SurfaceLightMode(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -1749,6 +1803,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
         return o == 0
 
+    # 0 affine, 1 perspective.
     # Geometry
     def SurfaceTextureMode(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -1776,6 +1831,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
         return o == 0
 
+    # The adjoin that it carries; -1 for a wall.
     # Geometry
     def SurfaceAdjoin(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
@@ -1803,6 +1859,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
         return o == 0
 
+    # Added to the light of its corners, 0 dark to 1 bright.
     # Geometry
     def SurfaceExtraLight(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
@@ -1858,6 +1915,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
         return o == 0
 
+    # The sector whose range of surfaces it is in; -1 for none.
     # Geometry
     def SurfaceSector(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
@@ -1913,6 +1971,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
         return o == 0
 
+    # The vertex of each corner of each surface.
     # Geometry
     def CornerVertex(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
@@ -1940,6 +1999,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
         return o == 0
 
+    # Its texture vertex; -1 for a surface without a material.
     # Geometry
     def CornerTextureVertex(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
@@ -1995,6 +2055,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
         return o == 0
 
+    # 0 dark to 1 bright; greater values are drawn as 1.
     # Geometry
     def CornerLight(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
@@ -2022,6 +2083,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
         return o == 0
 
+    # 0x1 no gravity, 0x2 under water, 0x4 linked to a COG, 0x8 has thrust, 0x40 a pit: instant death.
     # Geometry
     def SectorFlags(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
@@ -2049,6 +2111,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
         return o == 0
 
+    # As written, 0 dark to 1 bright.
     # Geometry
     def SectorAmbientLight(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
@@ -2076,6 +2139,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
         return o == 0
 
+    # As written, 0 dark to 1 bright.
     # Geometry
     def SectorExtraLight(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
@@ -2103,6 +2167,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
         return o == 0
 
+    # As written: position in Resources.colormaps. The engine does not check it, so nothing here does.
     # Geometry
     def SectorColormap(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
@@ -2130,6 +2195,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
         return o == 0
 
+    # Red, green, blue.
     # Geometry
     def SectorTint(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
@@ -2213,6 +2279,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
         return o == 0
 
+    # The ambient sound.
     # Geometry
     def SectorSound(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(60))
@@ -2240,6 +2307,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(60))
         return o == 0
 
+    # 0 to 1.
     # Geometry
     def SectorSoundVolume(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(62))
@@ -2267,6 +2335,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(62))
         return o == 0
 
+    # x y z as written, JKU.
     # Geometry
     def SectorCenter(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(64))
@@ -2294,6 +2363,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(64))
         return o == 0
 
+    # From the centre to the farthest vertex, as written, JKU.
     # Geometry
     def SectorRadius(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(66))
@@ -2321,6 +2391,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(66))
         return o == 0
 
+    # Cuts `sector_vertex`.
     # Geometry
     def SectorVertexStart(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(68))
@@ -2348,6 +2419,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(68))
         return o == 0
 
+    # The vertices that each sector lists.
     # Geometry
     def SectorVertex(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(70))
@@ -2375,6 +2447,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(70))
         return o == 0
 
+    # The first of its surfaces, which follow each other.
     # Geometry
     def SectorFirstSurface(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(72))
@@ -2402,6 +2475,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(72))
         return o == 0
 
+    # How many surfaces it has.
     # Geometry
     def SectorSurfaceCount(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
@@ -2429,6 +2503,7 @@ class Geometry(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
         return o == 0
 
+    # `vertices`, packed.
     # Geometry
     def VerticesPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(76))
@@ -2439,6 +2514,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `texture_vertices`, packed.
     # Geometry
     def TextureVerticesPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(78))
@@ -2449,6 +2525,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `adjoin_flags`, packed.
     # Geometry
     def AdjoinFlagsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(80))
@@ -2459,6 +2536,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `adjoin_mirror`, packed.
     # Geometry
     def AdjoinMirrorPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(82))
@@ -2469,6 +2547,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `adjoin_distance`, packed.
     # Geometry
     def AdjoinDistancePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(84))
@@ -2479,6 +2558,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `adjoin_surface`, packed.
     # Geometry
     def AdjoinSurfacePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(86))
@@ -2489,6 +2569,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_material`, packed.
     # Geometry
     def SurfaceMaterialPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
@@ -2499,6 +2580,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_flags`, packed.
     # Geometry
     def SurfaceFlagsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
@@ -2509,6 +2591,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_face_flags`, packed.
     # Geometry
     def SurfaceFaceFlagsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
@@ -2519,6 +2602,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_geometry_mode`, packed.
     # Geometry
     def SurfaceGeometryModePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
@@ -2529,6 +2613,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_light_mode`, packed.
     # Geometry
     def SurfaceLightModePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
@@ -2539,6 +2624,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_texture_mode`, packed.
     # Geometry
     def SurfaceTextureModePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(98))
@@ -2549,6 +2635,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_adjoin`, packed.
     # Geometry
     def SurfaceAdjoinPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(100))
@@ -2559,6 +2646,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_extra_light`, packed.
     # Geometry
     def SurfaceExtraLightPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(102))
@@ -2569,6 +2657,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_normal`, packed.
     # Geometry
     def SurfaceNormalPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(104))
@@ -2579,6 +2668,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_sector`, packed.
     # Geometry
     def SurfaceSectorPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(106))
@@ -2589,6 +2679,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_corner_start`, packed.
     # Geometry
     def SurfaceCornerStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(108))
@@ -2599,6 +2690,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `corner_vertex`, packed.
     # Geometry
     def CornerVertexPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(110))
@@ -2609,6 +2701,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `corner_texture_vertex`, packed.
     # Geometry
     def CornerTextureVertexPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(112))
@@ -2619,6 +2712,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `surface_light_start`, packed.
     # Geometry
     def SurfaceLightStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(114))
@@ -2629,6 +2723,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `corner_light`, packed.
     # Geometry
     def CornerLightPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(116))
@@ -2639,6 +2734,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_flags`, packed.
     # Geometry
     def SectorFlagsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(118))
@@ -2649,6 +2745,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_ambient_light`, packed.
     # Geometry
     def SectorAmbientLightPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(120))
@@ -2659,6 +2756,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_extra_light`, packed.
     # Geometry
     def SectorExtraLightPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(122))
@@ -2669,6 +2767,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_colormap`, packed.
     # Geometry
     def SectorColormapPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(124))
@@ -2679,6 +2778,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_tint`, packed.
     # Geometry
     def SectorTintPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(126))
@@ -2689,6 +2789,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_bound_box`, packed.
     # Geometry
     def SectorBoundBoxPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(128))
@@ -2699,6 +2800,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_collide_box`, packed.
     # Geometry
     def SectorCollideBoxPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(130))
@@ -2709,6 +2811,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_sound`, packed.
     # Geometry
     def SectorSoundPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(132))
@@ -2719,6 +2822,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_sound_volume`, packed.
     # Geometry
     def SectorSoundVolumePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(134))
@@ -2729,6 +2833,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_center`, packed.
     # Geometry
     def SectorCenterPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(136))
@@ -2739,6 +2844,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_radius`, packed.
     # Geometry
     def SectorRadiusPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(138))
@@ -2749,6 +2855,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_vertex_start`, packed.
     # Geometry
     def SectorVertexStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(140))
@@ -2759,6 +2866,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_vertex`, packed.
     # Geometry
     def SectorVertexPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(142))
@@ -2769,6 +2877,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_first_surface`, packed.
     # Geometry
     def SectorFirstSurfacePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(144))
@@ -2779,6 +2888,7 @@ class Geometry(object):
             return obj
         return None
 
+    # `sector_surface_count`, packed.
     # Geometry
     def SectorSurfaceCountPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(146))
@@ -3172,6 +3282,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # As written; the engine compares without case.
     # Templates
     def Name(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -3199,6 +3310,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
         return o == 0
 
+    # The template that it copies, as written; `none` for a blank one.
     # Templates
     def Parent(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -3226,6 +3338,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
+    # Up to 1.1, cuts the parameters as written.
     # Templates
     def ParameterStart(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -3253,6 +3366,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # Up to 1.1.
     # Templates
     def ParameterKey(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -3280,6 +3394,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
+    # Up to 1.1.
     # Templates
     def ParameterValue(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -3560,6 +3675,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
         return o == 0
 
+    # `source`, packed.
     # Templates
     def SourcePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
@@ -3570,6 +3686,7 @@ class Templates(object):
             return obj
         return None
 
+    # `name`, packed.
     # Templates
     def NamePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
@@ -3580,6 +3697,7 @@ class Templates(object):
             return obj
         return None
 
+    # `parent`, packed.
     # Templates
     def ParentPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
@@ -3590,6 +3708,7 @@ class Templates(object):
             return obj
         return None
 
+    # `parameter_start`, packed.
     # Templates
     def ParameterStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
@@ -3600,6 +3719,7 @@ class Templates(object):
             return obj
         return None
 
+    # `parameter_key`, packed.
     # Templates
     def ParameterKeyPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
@@ -3610,6 +3730,7 @@ class Templates(object):
             return obj
         return None
 
+    # `parameter_value`, packed.
     # Templates
     def ParameterValuePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
@@ -3620,6 +3741,7 @@ class Templates(object):
             return obj
         return None
 
+    # `type`, packed.
     # Templates
     def TypePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
@@ -3630,6 +3752,7 @@ class Templates(object):
             return obj
         return None
 
+    # `move`, packed.
     # Templates
     def MovePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
@@ -3640,6 +3763,7 @@ class Templates(object):
             return obj
         return None
 
+    # `has_ai`, packed.
     # Templates
     def HasAiPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
@@ -3650,6 +3774,7 @@ class Templates(object):
             return obj
         return None
 
+    # `value_start`, packed.
     # Templates
     def ValueStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
@@ -3660,6 +3785,7 @@ class Templates(object):
             return obj
         return None
 
+    # `value_key`, packed.
     # Templates
     def ValueKeyPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
@@ -3670,6 +3796,7 @@ class Templates(object):
             return obj
         return None
 
+    # `value_text`, packed.
     # Templates
     def ValueTextPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(56))
@@ -3680,6 +3807,7 @@ class Templates(object):
             return obj
         return None
 
+    # `value_source`, packed.
     # Templates
     def ValueSourcePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
@@ -3690,6 +3818,7 @@ class Templates(object):
             return obj
         return None
 
+    # `number_start`, packed.
     # Templates
     def NumberStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(60))
@@ -3700,6 +3829,7 @@ class Templates(object):
             return obj
         return None
 
+    # `number`, packed.
     # Templates
     def NumberPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(62))
@@ -3824,6 +3954,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(70))
         return o == 0
 
+    # The parameter as written.
     # Templates
     def UnusedKey(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(72))
@@ -3851,6 +3982,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(72))
         return o == 0
 
+    # What stands behind its `=`.
     # Templates
     def UnusedValue(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
@@ -3878,6 +4010,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
         return o == 0
 
+    # `value_list`, packed.
     # Templates
     def ValueListPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(76))
@@ -3888,6 +4021,7 @@ class Templates(object):
             return obj
         return None
 
+    # `list_start`, packed.
     # Templates
     def ListStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(78))
@@ -3898,6 +4032,7 @@ class Templates(object):
             return obj
         return None
 
+    # `list_number`, packed.
     # Templates
     def ListNumberPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(80))
@@ -3908,6 +4043,7 @@ class Templates(object):
             return obj
         return None
 
+    # `unused_start`, packed.
     # Templates
     def UnusedStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(82))
@@ -3918,6 +4054,7 @@ class Templates(object):
             return obj
         return None
 
+    # `unused_key`, packed.
     # Templates
     def UnusedKeyPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(84))
@@ -3928,6 +4065,7 @@ class Templates(object):
             return obj
         return None
 
+    # `unused_value`, packed.
     # Templates
     def UnusedValuePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(86))
@@ -4214,6 +4352,7 @@ class Things(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
         return o == 0
 
+    # The name of its template as written.
     # Things
     def Template(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -4241,6 +4380,7 @@ class Things(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
+    # As written; the engine only prints it.
     # Things
     def Name(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -4268,6 +4408,7 @@ class Things(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # x y z, JKU.
     # Things
     def Position(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -4323,6 +4464,7 @@ class Things(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # The sector that it starts in.
     # Things
     def Sector(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -4378,6 +4520,7 @@ class Things(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
         return o == 0
 
+    # Cuts the parameters of its own line.
     # Things
     def ParameterStart(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
@@ -4405,6 +4548,7 @@ class Things(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
         return o == 0
 
+    # As written.
     # Things
     def ParameterKey(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -4432,6 +4576,7 @@ class Things(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
+    # What stands behind its `=`.
     # Things
     def ParameterValue(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -4459,6 +4604,7 @@ class Things(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
         return o == 0
 
+    # `source`, packed.
     # Things
     def SourcePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -4469,6 +4615,7 @@ class Things(object):
             return obj
         return None
 
+    # `number`, packed.
     # Things
     def NumberPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
@@ -4479,6 +4626,7 @@ class Things(object):
             return obj
         return None
 
+    # `template`, packed.
     # Things
     def TemplatePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
@@ -4489,6 +4637,7 @@ class Things(object):
             return obj
         return None
 
+    # `name`, packed.
     # Things
     def NamePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
@@ -4499,6 +4648,7 @@ class Things(object):
             return obj
         return None
 
+    # `position`, packed.
     # Things
     def PositionPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
@@ -4509,6 +4659,7 @@ class Things(object):
             return obj
         return None
 
+    # `angles`, packed.
     # Things
     def AnglesPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
@@ -4519,6 +4670,7 @@ class Things(object):
             return obj
         return None
 
+    # `sector`, packed.
     # Things
     def SectorPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
@@ -4529,6 +4681,7 @@ class Things(object):
             return obj
         return None
 
+    # `arch_light`, packed.
     # Things
     def ArchLightPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
@@ -4539,6 +4692,7 @@ class Things(object):
             return obj
         return None
 
+    # `parameter_start`, packed.
     # Things
     def ParameterStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
@@ -4549,6 +4703,7 @@ class Things(object):
             return obj
         return None
 
+    # `parameter_key`, packed.
     # Things
     def ParameterKeyPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
@@ -4559,6 +4714,7 @@ class Things(object):
             return obj
         return None
 
+    # `parameter_value`, packed.
     # Things
     def ParameterValuePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
@@ -4727,6 +4883,7 @@ class Cogs(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # The COG file.
     # Cogs
     def Script(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -4754,6 +4911,7 @@ class Cogs(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
         return o == 0
 
+    # Cuts `value`.
     # Cogs
     def ValueStart(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -4781,6 +4939,7 @@ class Cogs(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
+    # As written, in the order of the script's symbols that take one.
     # Cogs
     def Value(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -4808,6 +4967,7 @@ class Cogs(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # `source`, packed.
     # Cogs
     def SourcePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -4818,6 +4978,7 @@ class Cogs(object):
             return obj
         return None
 
+    # `script`, packed.
     # Cogs
     def ScriptPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -4828,6 +4989,7 @@ class Cogs(object):
             return obj
         return None
 
+    # `value_start`, packed.
     # Cogs
     def ValueStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -4838,6 +5000,7 @@ class Cogs(object):
             return obj
         return None
 
+    # `value`, packed.
     # Cogs
     def ValuePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -4915,6 +5078,7 @@ class Omission(object):
     def Init(self, buf, pos):
         self._tab = flatbuffers.table.Table(buf, pos)
 
+    # The section that leaves them out.
     # Omission
     def Section(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
@@ -4922,6 +5086,7 @@ class Omission(object):
             return self._tab.String(o + self._tab.Pos)
         return None
 
+    # Why.
     # Omission
     def Reason(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -4978,6 +5143,7 @@ class Omission(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # The name of each record.
     # Omission
     def NameText(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -5005,6 +5171,7 @@ class Omission(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
+    # `source`, packed.
     # Omission
     def SourcePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -5015,6 +5182,7 @@ class Omission(object):
             return obj
         return None
 
+    # `name_text`, packed.
     # Omission
     def NameTextPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -5115,6 +5283,7 @@ class Visibility(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # Cuts `row`, one part a sector.
     # Visibility
     def RowStart(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -5171,6 +5340,7 @@ class Visibility(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
+    # `sector`, packed.
     # Visibility
     def SectorPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -5181,6 +5351,7 @@ class Visibility(object):
             return obj
         return None
 
+    # `row_start`, packed.
     # Visibility
     def RowStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -5191,6 +5362,7 @@ class Visibility(object):
             return obj
         return None
 
+    # `row`, packed.
     # Visibility
     def RowPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -5287,6 +5459,7 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # The COG file.
     # Hotspots
     def Script(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -5314,6 +5487,7 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
         return o == 0
 
+    # The verb of sight, in lower case.
     # Hotspots
     def Verb(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -5483,6 +5657,7 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
         return o == 0
 
+    # Surfaces tested.
     # Hotspots
     def MeanSurfaces(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
@@ -5510,6 +5685,7 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
         return o == 0
 
+    # Sectors entered at most.
     # Hotspots
     def MostSectors(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -5537,6 +5713,7 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
+    # Surfaces tested at most.
     # Hotspots
     def MostSurfaces(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -5620,6 +5797,7 @@ class Hotspots(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
         return o == 0
 
+    # `cog`, packed.
     # Hotspots
     def CogPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
@@ -5630,6 +5808,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `script`, packed.
     # Hotspots
     def ScriptPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
@@ -5640,6 +5819,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `verb`, packed.
     # Hotspots
     def VerbPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
@@ -5650,6 +5830,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `line`, packed.
     # Hotspots
     def LinePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
@@ -5660,6 +5841,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `things`, packed.
     # Hotspots
     def ThingsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
@@ -5670,6 +5852,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `more`, packed.
     # Hotspots
     def MorePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
@@ -5680,6 +5863,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `calls_per_second`, packed.
     # Hotspots
     def CallsPerSecondPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
@@ -5690,6 +5874,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `mean_sectors`, packed.
     # Hotspots
     def MeanSectorsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
@@ -5700,6 +5885,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `mean_surfaces`, packed.
     # Hotspots
     def MeanSurfacesPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
@@ -5710,6 +5896,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `most_sectors`, packed.
     # Hotspots
     def MostSectorsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
@@ -5720,6 +5907,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `most_surfaces`, packed.
     # Hotspots
     def MostSurfacesPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
@@ -5730,6 +5918,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `pairs`, packed.
     # Hotspots
     def PairsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
@@ -5740,6 +5929,7 @@ class Hotspots(object):
             return obj
         return None
 
+    # `verdict`, packed.
     # Hotspots
     def VerdictPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
@@ -5927,6 +6117,7 @@ class Lights(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # x y z, JKU.
     # Lights
     def Position(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -5954,6 +6145,7 @@ class Lights(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
         return o == 0
 
+    # At the thing.
     # Lights
     def Intensity(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -6037,6 +6229,7 @@ class Lights(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
+    # The vertices that it lights.
     # Lights
     def Vertex(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -6064,6 +6257,7 @@ class Lights(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # What it adds to the light of each.
     # Lights
     def Amount(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -6091,6 +6285,7 @@ class Lights(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
+    # `thing`, packed.
     # Lights
     def ThingPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -6101,6 +6296,7 @@ class Lights(object):
             return obj
         return None
 
+    # `position`, packed.
     # Lights
     def PositionPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
@@ -6111,6 +6307,7 @@ class Lights(object):
             return obj
         return None
 
+    # `intensity`, packed.
     # Lights
     def IntensityPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -6121,6 +6318,7 @@ class Lights(object):
             return obj
         return None
 
+    # `reach`, packed.
     # Lights
     def ReachPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -6131,6 +6329,7 @@ class Lights(object):
             return obj
         return None
 
+    # `vertex_start`, packed.
     # Lights
     def VertexStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -6141,6 +6340,7 @@ class Lights(object):
             return obj
         return None
 
+    # `vertex`, packed.
     # Lights
     def VertexPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
@@ -6151,6 +6351,7 @@ class Lights(object):
             return obj
         return None
 
+    # `amount`, packed.
     # Lights
     def AmountPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
@@ -6284,6 +6485,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # What each particle is drawn with.
     # Particles
     def Material(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -6395,6 +6597,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
+    # The parameter `typeflags`.
     # Particles
     def Flags(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -6422,6 +6625,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # The parameter of that name, JKU.
     # Particles
     def Range(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -6449,6 +6653,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
+    # The parameter of that name, JKU.
     # Particles
     def Minsize(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -6560,6 +6765,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
         return o == 0
 
+    # Degrees.
     # Particles
     def Pitchrange(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -6587,6 +6793,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
         return o == 0
 
+    # Degrees.
     # Particles
     def Yawrange(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
@@ -6642,6 +6849,7 @@ class Particles(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
         return o == 0
 
+    # `template`, packed.
     # Particles
     def TemplatePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
@@ -6652,6 +6860,7 @@ class Particles(object):
             return obj
         return None
 
+    # `material`, packed.
     # Particles
     def MaterialPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
@@ -6662,6 +6871,7 @@ class Particles(object):
             return obj
         return None
 
+    # `cels`, packed.
     # Particles
     def CelsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
@@ -6672,6 +6882,7 @@ class Particles(object):
             return obj
         return None
 
+    # `spawned`, packed.
     # Particles
     def SpawnedPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
@@ -6682,6 +6893,7 @@ class Particles(object):
             return obj
         return None
 
+    # `timer_ms`, packed.
     # Particles
     def TimerMsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
@@ -6692,6 +6904,7 @@ class Particles(object):
             return obj
         return None
 
+    # `flags`, packed.
     # Particles
     def FlagsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
@@ -6702,6 +6915,7 @@ class Particles(object):
             return obj
         return None
 
+    # `range`, packed.
     # Particles
     def RangePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
@@ -6712,6 +6926,7 @@ class Particles(object):
             return obj
         return None
 
+    # `minsize`, packed.
     # Particles
     def MinsizePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
@@ -6722,6 +6937,7 @@ class Particles(object):
             return obj
         return None
 
+    # `lost_a_step`, packed.
     # Particles
     def LostAStepPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
@@ -6732,6 +6948,7 @@ class Particles(object):
             return obj
         return None
 
+    # `maxthrust`, packed.
     # Particles
     def MaxthrustPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
@@ -6742,6 +6959,7 @@ class Particles(object):
             return obj
         return None
 
+    # `elementsize`, packed.
     # Particles
     def ElementsizePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
@@ -6752,6 +6970,7 @@ class Particles(object):
             return obj
         return None
 
+    # `pitchrange`, packed.
     # Particles
     def PitchrangePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
@@ -6762,6 +6981,7 @@ class Particles(object):
             return obj
         return None
 
+    # `yawrange`, packed.
     # Particles
     def YawrangePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(56))
@@ -6772,6 +6992,7 @@ class Particles(object):
             return obj
         return None
 
+    # `light_mode`, packed.
     # Particles
     def LightModePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
@@ -6967,6 +7188,7 @@ class ColourEffects(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # The COG file.
     # ColourEffects
     def Script(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -7106,6 +7328,7 @@ class ColourEffects(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # `cog`, packed.
     # ColourEffects
     def CogPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -7116,6 +7339,7 @@ class ColourEffects(object):
             return obj
         return None
 
+    # `script`, packed.
     # ColourEffects
     def ScriptPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -7126,6 +7350,7 @@ class ColourEffects(object):
             return obj
         return None
 
+    # `line`, packed.
     # ColourEffects
     def LinePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
@@ -7136,6 +7361,7 @@ class ColourEffects(object):
             return obj
         return None
 
+    # `argument`, packed.
     # ColourEffects
     def ArgumentPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -7146,6 +7372,7 @@ class ColourEffects(object):
             return obj
         return None
 
+    # `colormap`, packed.
     # ColourEffects
     def ColormapPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -7156,6 +7383,7 @@ class ColourEffects(object):
             return obj
         return None
 
+    # `palette`, packed.
     # ColourEffects
     def PalettePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -7280,6 +7508,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # Speed forwards, JKU/s.
     # Motion
     def Walk(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -7307,6 +7536,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
         return o == 0
 
+    # Speed backwards, JKU/s.
     # Motion
     def Back(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -7334,6 +7564,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
+    # Speed sideways, JKU/s.
     # Motion
     def Strafe(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -7361,6 +7592,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # Speed running, JKU/s.
     # Motion
     def Run(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -7388,6 +7620,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
+    # Speed crouched, JKU/s.
     # Motion
     def Crouch(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -7415,6 +7648,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # Speed in the air, JKU/s.
     # Motion
     def Air(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -7442,6 +7676,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
+    # Speed in water, JKU/s.
     # Motion
     def Swim(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -7497,6 +7732,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
         return o == 0
 
+    # As `stop_walk`, from a run.
     # Motion
     def StopRun(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -7524,6 +7760,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
+    # JKU. Jumps are at 50 frames a second; at `fast` by the closed form, at `exact` the least over 10 to 120 frames.
     # Motion
     def JumpHeight(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -7551,6 +7788,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
         return o == 0
 
+    # JKU.
     # Motion
     def CrouchedJumpHeight(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -7578,7 +7816,8 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
         return o == 0
 
-    # Over level ground, from a walk and from a run.
+    # Until the body is as high again as it started, from a walk and from a run, the forward key held: not until it lands,
+    # which the hover height decides.
     # Motion
     def JumpReach(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
@@ -7606,6 +7845,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
         return o == 0
 
+    # As `jump_reach`, from a run.
     # Motion
     def RunJumpReach(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
@@ -7633,6 +7873,7 @@ class Motion(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
         return o == 0
 
+    # `template`, packed.
     # Motion
     def TemplatePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
@@ -7643,6 +7884,7 @@ class Motion(object):
             return obj
         return None
 
+    # `walk`, packed.
     # Motion
     def WalkPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
@@ -7653,6 +7895,7 @@ class Motion(object):
             return obj
         return None
 
+    # `back`, packed.
     # Motion
     def BackPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
@@ -7663,6 +7906,7 @@ class Motion(object):
             return obj
         return None
 
+    # `strafe`, packed.
     # Motion
     def StrafePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
@@ -7673,6 +7917,7 @@ class Motion(object):
             return obj
         return None
 
+    # `run`, packed.
     # Motion
     def RunPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
@@ -7683,6 +7928,7 @@ class Motion(object):
             return obj
         return None
 
+    # `crouch`, packed.
     # Motion
     def CrouchPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
@@ -7693,6 +7939,7 @@ class Motion(object):
             return obj
         return None
 
+    # `air`, packed.
     # Motion
     def AirPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
@@ -7703,6 +7950,7 @@ class Motion(object):
             return obj
         return None
 
+    # `swim`, packed.
     # Motion
     def SwimPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
@@ -7713,6 +7961,7 @@ class Motion(object):
             return obj
         return None
 
+    # `stop_walk`, packed.
     # Motion
     def StopWalkPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
@@ -7723,6 +7972,7 @@ class Motion(object):
             return obj
         return None
 
+    # `stop_run`, packed.
     # Motion
     def StopRunPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
@@ -7733,6 +7983,7 @@ class Motion(object):
             return obj
         return None
 
+    # `jump_height`, packed.
     # Motion
     def JumpHeightPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
@@ -7743,6 +7994,7 @@ class Motion(object):
             return obj
         return None
 
+    # `crouched_jump_height`, packed.
     # Motion
     def CrouchedJumpHeightPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
@@ -7753,6 +8005,7 @@ class Motion(object):
             return obj
         return None
 
+    # `jump_reach`, packed.
     # Motion
     def JumpReachPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(56))
@@ -7763,6 +8016,7 @@ class Motion(object):
             return obj
         return None
 
+    # `run_jump_reach`, packed.
     # Motion
     def RunJumpReachPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
@@ -7958,6 +8212,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # The height that it floats above floors, JKU.
     # Ledges
     def BodyHover(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -8013,6 +8268,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
         return o == 0
 
+    # JKU.
     # Ledges
     def BodyStep(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -8040,6 +8296,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # JKU.
     # Ledges
     def BodyJump(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -8067,6 +8324,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
+    # The parameter `physflags`.
     # Ledges
     def BodyPhysicsFlags(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -8150,6 +8408,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
         return o == 0
 
+    # Their names.
     # Ledges
     def BodyName(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
@@ -8289,6 +8548,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
         return o == 0
 
+    # Above `start`, to 1.
     # Ledges
     def End(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
@@ -8456,6 +8716,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
         return o == 0
 
+    # At `end`.
     # Ledges
     def DropEnd(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
@@ -8511,6 +8772,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
         return o == 0
 
+    # `body_movesize`, packed.
     # Ledges
     def BodyMovesizePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
@@ -8521,6 +8783,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `body_hover`, packed.
     # Ledges
     def BodyHoverPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
@@ -8531,6 +8794,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `body_reattach`, packed.
     # Ledges
     def BodyReattachPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
@@ -8541,6 +8805,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `body_step`, packed.
     # Ledges
     def BodyStepPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
@@ -8551,6 +8816,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `body_jump`, packed.
     # Ledges
     def BodyJumpPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))
@@ -8561,6 +8827,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `body_physics_flags`, packed.
     # Ledges
     def BodyPhysicsFlagsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(56))
@@ -8571,6 +8838,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `body_player`, packed.
     # Ledges
     def BodyPlayerPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
@@ -8581,6 +8849,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `body_name_start`, packed.
     # Ledges
     def BodyNameStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(60))
@@ -8591,6 +8860,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `body_name`, packed.
     # Ledges
     def BodyNamePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(62))
@@ -8601,6 +8871,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `body_ledge_start`, packed.
     # Ledges
     def BodyLedgeStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(64))
@@ -8611,6 +8882,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `surface`, packed.
     # Ledges
     def SurfacePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(66))
@@ -8621,6 +8893,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `corner`, packed.
     # Ledges
     def CornerPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(68))
@@ -8631,6 +8904,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `start`, packed.
     # Ledges
     def StartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(70))
@@ -8641,6 +8915,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `end`, packed.
     # Ledges
     def EndPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(72))
@@ -8651,6 +8926,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `kind`, packed.
     # Ledges
     def KindPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(74))
@@ -8661,6 +8937,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `other_kind`, packed.
     # Ledges
     def OtherKindPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(76))
@@ -8671,6 +8948,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `below`, packed.
     # Ledges
     def BelowPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(78))
@@ -8681,6 +8959,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `thing`, packed.
     # Ledges
     def ThingPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(80))
@@ -8691,6 +8970,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `drop_start`, packed.
     # Ledges
     def DropStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(82))
@@ -8701,6 +8981,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `drop_end`, packed.
     # Ledges
     def DropEndPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(84))
@@ -8711,6 +8992,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `traits`, packed.
     # Ledges
     def TraitsPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(86))
@@ -8721,8 +9003,7 @@ class Ledges(object):
             return obj
         return None
 
-    # For the edge of a thing: its source index, where it is (-1 as it is placed, else its frame) and the face of its
-    # model at rest; -1 for a surface's.
+    # For the edge of a thing: its source index; -1 for a surface's.
     # Ledges
     def Carrier(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
@@ -8750,6 +9031,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
         return o == 0
 
+    # Where that thing is: -1 as it is placed, else its frame.
     # Ledges
     def CarrierFrame(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
@@ -8777,6 +9059,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
         return o == 0
 
+    # The face of its model at rest whose edge it is; -1 for a surface's.
     # Ledges
     def CarrierFace(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
@@ -8804,7 +9087,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
         return o == 0
 
-    # Source index of the thing come onto, or that blocks, and the face of its model at rest; -1 for none.
+    # Source index of the thing come onto, or that blocks; -1 for none.
     # Ledges
     def Onto(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
@@ -8832,6 +9115,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
         return o == 0
 
+    # The face of its model at rest; -1 for none.
     # Ledges
     def OntoFace(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
@@ -8859,6 +9143,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
         return o == 0
 
+    # `carrier`, packed.
     # Ledges
     def CarrierPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(98))
@@ -8869,6 +9154,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `carrier_frame`, packed.
     # Ledges
     def CarrierFramePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(100))
@@ -8879,6 +9165,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `carrier_face`, packed.
     # Ledges
     def CarrierFacePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(102))
@@ -8889,6 +9176,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `onto`, packed.
     # Ledges
     def OntoPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(104))
@@ -8899,6 +9187,7 @@ class Ledges(object):
             return obj
         return None
 
+    # `onto_face`, packed.
     # Ledges
     def OntoFacePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(106))
@@ -9174,6 +9463,7 @@ class Basins(object):
     def Init(self, buf, pos):
         self._tab = flatbuffers.table.Table(buf, pos)
 
+    # Whose basin it is.
     # Basins
     def Body(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
@@ -9201,6 +9491,7 @@ class Basins(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
         return o == 0
 
+    # Cuts `surface`.
     # Basins
     def SurfaceStart(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -9228,6 +9519,7 @@ class Basins(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
         return o == 0
 
+    # Its floors.
     # Basins
     def Surface(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -9283,6 +9575,7 @@ class Basins(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # As `shallowest`.
     # Basins
     def Deepest(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -9366,6 +9659,7 @@ class Basins(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
+    # `body`, packed.
     # Basins
     def BodyPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -9376,6 +9670,7 @@ class Basins(object):
             return obj
         return None
 
+    # `surface_start`, packed.
     # Basins
     def SurfaceStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
@@ -9386,6 +9681,7 @@ class Basins(object):
             return obj
         return None
 
+    # `surface`, packed.
     # Basins
     def SurfacePacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -9396,6 +9692,7 @@ class Basins(object):
             return obj
         return None
 
+    # `shallowest`, packed.
     # Basins
     def ShallowestPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -9406,6 +9703,7 @@ class Basins(object):
             return obj
         return None
 
+    # `deepest`, packed.
     # Basins
     def DeepestPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -9416,6 +9714,7 @@ class Basins(object):
             return obj
         return None
 
+    # `entered`, packed.
     # Basins
     def EnteredPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
@@ -9426,6 +9725,7 @@ class Basins(object):
             return obj
         return None
 
+    # `left`, packed.
     # Basins
     def LeftPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
@@ -9507,6 +9807,7 @@ def BasinsEnd(builder):
 
 
 
+# The whole file.
 class Level(object):
     __slots__ = ['_tab']
 
@@ -9537,6 +9838,7 @@ class Level(object):
             return self._tab.Get(flatbuffers.number_types.Uint16Flags, o + self._tab.Pos)
         return 0
 
+    # Grows when fields are added.
     # Level
     def FormatMinor(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
@@ -9544,6 +9846,7 @@ class Level(object):
             return self._tab.Get(flatbuffers.number_types.Uint16Flags, o + self._tab.Pos)
         return 0
 
+    # Of the jktools that wrote it.
     # Level
     def ToolVersion(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
@@ -9579,6 +9882,7 @@ class Level(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
+    # The level's source first.
     # Level
     def Inputs(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -9603,6 +9907,7 @@ class Level(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
         return o == 0
 
+    # What it was compiled for.
     # Level
     def Settings(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
@@ -9613,6 +9918,7 @@ class Level(object):
             return obj
         return None
 
+    # One for each section, in the order of the file.
     # Level
     def Passes(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
@@ -9637,7 +9943,7 @@ class Level(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
         return o == 0
 
-    # Every text of the level, each once, in order of first use.
+    # Up to 1.1, every text of the level; since then it is empty, and `text` has them.
     # Level
     def Strings(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
@@ -9658,6 +9964,7 @@ class Level(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
         return o == 0
 
+    # The header of the level.
     # Level
     def World(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
@@ -9668,6 +9975,7 @@ class Level(object):
             return obj
         return None
 
+    # Always there.
     # Level
     def Resources(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -9678,6 +9986,7 @@ class Level(object):
             return obj
         return None
 
+    # Always there.
     # Level
     def Geometry(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -9688,6 +9997,7 @@ class Level(object):
             return obj
         return None
 
+    # What things are made of.
     # Level
     def Templates(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -9698,6 +10008,7 @@ class Level(object):
             return obj
         return None
 
+    # What is placed.
     # Level
     def Things(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
@@ -9708,6 +10019,7 @@ class Level(object):
             return obj
         return None
 
+    # The scripts that are placed.
     # Level
     def Cogs(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(30))
@@ -9718,6 +10030,7 @@ class Level(object):
             return obj
         return None
 
+    # What was left out.
     # Level
     def Omissions(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
@@ -9742,6 +10055,7 @@ class Level(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(32))
         return o == 0
 
+    # Which sectors see which.
     # Level
     def Visibility(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(34))
@@ -9752,6 +10066,7 @@ class Level(object):
             return obj
         return None
 
+    # What tests of sight cost.
     # Level
     def Hotspots(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(36))
@@ -9762,6 +10077,7 @@ class Level(object):
             return obj
         return None
 
+    # What lamps light.
     # Level
     def Lights(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(38))
@@ -9772,6 +10088,7 @@ class Level(object):
             return obj
         return None
 
+    # Clouds of particles.
     # Level
     def Particles(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(40))
@@ -9782,6 +10099,7 @@ class Level(object):
             return obj
         return None
 
+    # What the palettes become.
     # Level
     def ColourEffects(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(42))
@@ -9792,6 +10110,7 @@ class Level(object):
             return obj
         return None
 
+    # How fast bodies are.
     # Level
     def Motion(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(44))
@@ -9802,6 +10121,7 @@ class Level(object):
             return obj
         return None
 
+    # What bodies meet at edges.
     # Level
     def Ledges(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(46))
@@ -9812,6 +10132,7 @@ class Level(object):
             return obj
         return None
 
+    # Where bodies do not get out.
     # Level
     def Basins(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(48))
@@ -9878,6 +10199,7 @@ class Level(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(52))
         return o == 0
 
+    # `text_start`, packed.
     # Level
     def TextStartPacked(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(54))

@@ -37,7 +37,7 @@ _SHORT = 8
 """A run of at most so many numbers is written out."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True, eq=False)
 class Stored:
     """A column as it lies in the file."""
 

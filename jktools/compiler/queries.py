@@ -1,4 +1,4 @@
-"""Questions that a compiled level answers from its own columns: its mesh, an edge's ledges, a body's basins."""
+"""What a compiled level answers from its own columns: its mesh, the ledges of an edge, the basins of a body."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Basin(NamedTuple):
     entered: int
     """0x1 walk, 0x2 fall, 0x4 jump, 0x8 a player starts there."""
     left: int
-    """0x1 walk, 0x2 jump, 0x4 mover, 0x8 water, 0x10 deadly, 0x20 unknown; 0 for no way out."""
+    """0x1 walk, 0x2 jump, 0x4 mover, 0x8 water, 0x10 deadly, 0x20 unknown; 0: inescapable where no player starts."""
 
 
 def plan_of(geometry: Columns) -> Plan:

@@ -3,30 +3,38 @@
 from __future__ import annotations
 
 import mmap
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
 from functools import cached_property
-from itertools import pairwise
+from itertools import islice, pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from jktools._native_file import verify_level  # noqa: TID251 (this package is the door)
+from jktools._native_file import level_fault, level_parts  # noqa: TID251 (this package is the door)
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import is_intact
-from jktools.compiler.columns import OMISSION, SECTIONS, TEXT, Column, camel_case
+from jktools.compiler.columns import OMISSION, SECTIONS, STRINGS, TEXT, Column, camel_case
 from jktools.compiler.errors import CompiledFileError
 from jktools.compiler.packing import INDICES, VECTORS, Stored, absent
 from jktools.compiler.queries import Basin, Ledge, basins_of, ledges_at, plan_of
-from jktools.compiler.ranges import columns_fault, first_fault, text_fault
+from jktools.compiler.slots import wanted
 from jktools.geometry import SectorMesh, expanded, unpacked
 
 FORMAT_MAJOR, FORMAT_MINOR = 1, 2
 """Version of the format that this code writes; it reads every file of the same major version."""
 
 IDENTIFIER = b"JKLB"
-_SMALLEST = 8
+ALIGNMENT = 8
+"""Bytes; a buffer and every vector in it start at a multiple."""
+
+NO_SECTION, PLAIN, FIRST_VECTOR = -2, 0, 2
+"""Forms of a column as `level_parts` tells them."""
+_DTYPES = {kind: np.dtype(f"<{kind}") for kind in ("u1", "i4", "u4", "f4", "f8")}
+_OF_VECTORS = [np.dtype(f"<{kind}") for kind in VECTORS.values()]
+_INDICES = {1: np.dtype("u1"), 2: np.dtype("<u2")}
 
 TEXT_SINCE = 2
 """Minor version that brought the strings as one vector."""
@@ -48,11 +56,23 @@ class Section:
     kept. `stored` gives the parts as they lie in the file, all of them views.
     """
 
-    def __init__(self, stored: Mapping[str, Stored], columns: Mapping[str, Column]) -> None:
-        """Hold these columns."""
-        self.stored = stored
+    def __init__(self, data: memoryview, parts: Mapping[str, tuple[list[int], float]], columns: Mapping[str, Column]):
+        """Hold these columns; `parts` has a row of `level_parts` and the step of each."""
+        self._data = data
+        self._parts = parts
         self._declared = columns
         self._made: dict[str, npt.NDArray[Any]] = {}
+
+    @cached_property
+    def stored(self) -> Mapping[str, Stored]:
+        """The columns as they lie in the file; of one that does not, what that stands for."""
+        declared = self._declared
+        found = {name: _part(self._data, row, step, declared[name]) for name, (row, step) in self._parts.items()}
+        absences = [name for name, stored in found.items() if stored is None]
+        for name in absences:
+            leader = found.get(declared[name].rows_of or "")
+            found[name] = absent(declared[name], 0 if leader is None else len(leader))
+        return found  # type: ignore[return-value]  # none is absent now
 
     def __getattr__(self, name: str) -> npt.NDArray[Any]:
         if name.startswith("_"):
@@ -68,6 +88,11 @@ class Section:
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.stored]
+
+    @property
+    def texts(self) -> frozenset[str]:
+        """The columns that count strings."""
+        return frozenset(name for name in self.stored if self._declared[name].index_of == STRINGS)
 
     @property
     def columns(self) -> dict[str, npt.NDArray[Any]]:
@@ -122,62 +147,41 @@ class CompiledLevel:
     def __init__(self, data: bytes | memoryview, path: str = "<bytes>", *, verify: bool = False) -> None:
         """Check and view a buffer. Raises CompiledFileError; `verify` compares the checksum too."""
         self.path = path
-        self.data = memoryview(data)
-        self._root = self._checked_root(verify)
-        self._text_columns = self._columns(self._root, TEXT) if self._root.FormatMinor() >= TEXT_SINCE else None
-        stored = {
-            name: self._columns(table, columns)
-            for name, columns in SECTIONS.items()
-            if (table := getattr(self._root, camel_case(name))()) is not None
-        }
-        fault = self._fault(stored)
-        if fault:
-            raise CompiledFileError(f"cannot read {path}: {self._damage}") from ValueError(fault)
-        self.sections: Mapping[str, Section] = {name: Section(each, SECTIONS[name]) for name, each in stored.items()}
-        for name in SECTIONS:
-            setattr(self, name, self.sections.get(name))
-
-    def _checked_root(self, verify: bool) -> Any:
+        self.data = memoryview(data).toreadonly()
         octets = np.frombuffer(self.data, np.uint8)
-        if len(octets) < _SMALLEST or bytes(self.data[4:8]) != IDENTIFIER:
-            raise CompiledFileError(f"cannot read {self.path}: not a compiled level (no {IDENTIFIER.decode()} mark)")
-        if not verify_level(octets):
-            raise CompiledFileError(f"cannot read {self.path}: the file is cut off or damaged; build it again")
-        root = fb.Level.GetRootAs(self.data)  # type: ignore[no-untyped-call]
-        if root.FormatMajor() != FORMAT_MAJOR:
-            raise CompiledFileError(
-                f"cannot read {self.path}: format version {root.FormatMajor()}.{root.FormatMinor()}, but this jktools "
-                f"reads {FORMAT_MAJOR}.x; build it again or use another version"
-            )
+        if octets.__array_interface__["data"][0] % ALIGNMENT:
+            self.data = memoryview(bytes(self.data))
+            octets = np.frombuffer(self.data, np.uint8)
+        self._refuse(level_fault(octets))
+        self._root = fb.Level.GetRootAs(self.data)  # type: ignore[no-untyped-call]
         if verify and not is_intact(self.data):
             raise CompiledFileError(f"cannot read {self.path}: the checksum does not match; build it again")
-        return root
+        parts, steps = level_parts(octets, wanted())
+        rows = zip(parts.reshape(len(steps), -1).tolist(), steps.tolist(), strict=True)
+        self._texts = self._section(TEXT, rows)
+        found = {name: self._section(columns, rows) for name, columns in SECTIONS.items()}
+        self.sections: Mapping[str, Section] = {name: each for name, each in found.items() if each is not None}
+        self.__dict__.update(found)
 
-    @property
-    def _damage(self) -> str:
-        if self._root.FormatMinor() > FORMAT_MINOR:
-            return (
-                f"it is of format {self.format}, and this jktools reads up to {FORMAT_MAJOR}.{FORMAT_MINOR} of it; "
-                "use a newer version"
-            )
-        return "the file is damaged; build it again"
+    def _refuse(self, fault: str) -> None:
+        """Raise CompiledFileError for a fault; its cause is what is wrong inside a file that is damaged."""
+        if fault:
+            inside = re.search(r"\((.*)\)$", fault)
+            told = f"cannot read {self.path}: {fault.replace('this reader', 'this jktools')}"
+            raise CompiledFileError(told) from (ValueError(inside[1]) if inside else None)
 
-    def _fault(self, stored: Mapping[str, Mapping[str, Stored]]) -> str | None:
-        missing = next((name for name in ALWAYS if name not in stored), None)
-        if missing:
-            return f"has no {missing}"
-        strings = self._root.StringsLength()
-        if self._text_columns is not None:
-            fault = text_fault(self._text_columns, len(self.data))
-            if fault:
-                return fault
-            strings = len(self._text_columns["text_start"]) - 1
-        fault = first_fault(stored, strings, len(self.data))
-        if fault is None and self._text_columns is not None:
-            fault = next(
-                (each for i in range(self._root.OmissionsLength()) if (each := self._omission_fault(i, strings))), None
-            )
-        return fault
+    def _section(self, columns: Mapping[str, Column], rows: Iterator[tuple[list[int], float]]) -> Section | None:
+        """The section of these columns, None where it is absent; takes as many rows."""
+        minor = self._root.FormatMinor()
+        own = list(islice(rows, len(columns)))
+        if own[0][0][0] == NO_SECTION:
+            return None
+        parts = {
+            name: row
+            for (name, column), row in zip(columns.items(), own, strict=True)
+            if column.since <= minor and (column.until is None or minor <= column.until)
+        }
+        return Section(self.data, parts, columns)
 
     def __getattr__(self, name: str) -> npt.NDArray[Any]:
         if name in SECTIONS["geometry"] and "sections" in self.__dict__:
@@ -185,32 +189,24 @@ class CompiledLevel:
             return found
         raise AttributeError(name)
 
-    def _columns(self, table: Any, columns: Mapping[str, Column]) -> dict[str, Stored]:
-        minor = self._root.FormatMinor()
-        stored = {
-            name: _stored(table, name, column)
-            for name, column in columns.items()
-            if column.since <= minor and (column.until is None or minor <= column.until)
-        }
-        found: dict[str, Stored] = {}
-        for name, form in stored.items():
-            leader = stored.get(columns[name].rows_of or "")
-            found[name] = absent(columns[name], 0 if leader is None else len(leader)) if form is None else form
-        return found
-
     def _text(self, data: bytes) -> str:
         try:
             return data.decode()
         except UnicodeDecodeError as error:
             raise CompiledFileError(f"cannot read {self.path}: the file is damaged; build it again") from error
 
+    @property
+    def _has_strings(self) -> bool:
+        """Whether the strings are a vector each, as up to 1.1."""
+        return bool(self._root.FormatMinor() < TEXT_SINCE)
+
     @cached_property
     def strings(self) -> tuple[str, ...]:
         """Every text of the level."""
-        if self._text_columns is None:
+        if self._has_strings:
             return tuple(self._text(self._root.Strings(i)) for i in range(self._root.StringsLength()))
-        octets = self._text_columns["text"].array(TEXT["text"]).tobytes()
-        start = self._text_columns["text_start"].array(TEXT["text_start"]).tolist()
+        assert self._texts is not None
+        octets, start = self._texts.text.tobytes(), self._texts.text_start.tolist()
         return tuple(self._text(octets[a : b - 1]) for a, b in pairwise(start))
 
     @cached_property
@@ -263,9 +259,10 @@ class CompiledLevel:
     @property
     def text_bytes(self) -> int:
         """What the strings take in the file."""
-        if self._text_columns is None:
+        if self._has_strings:
             return sum(len(self._root.Strings(i)) + 9 for i in range(self._root.StringsLength()))
-        return Section(self._text_columns, TEXT).nbytes
+        assert self._texts is not None
+        return self._texts.nbytes
 
     @property
     def world(self) -> dict[str, Any]:
@@ -361,16 +358,12 @@ class CompiledLevel:
 
     def _omission(self, entry: Any) -> dict[str, Any]:
         told = {"section": self._text(entry.Section()), "reason": self._text(entry.Reason())}
-        if self._text_columns is None:
+        if self._has_strings:
             names = [self._text(entry.Name(i)) for i in range(entry.NameLength())]
             return {**told, "source": [int(entry.Source(i)) for i in range(entry.SourceLength())], "name": names}
-        stored = self._columns(entry, OMISSION)
-        found = {name: stored[name].array(column).tolist() for name, column in OMISSION.items()}
-        return {**told, "source": found["source"], "name": [self.strings[i] for i in found["name_text"]]}
-
-    def _omission_fault(self, place: int, strings: int) -> str | None:
-        stored = self._columns(self._root.Omissions(place), OMISSION)
-        return columns_fault({"omission": OMISSION}, {"omission": stored}, strings, len(self.data))
+        source = _of_table(entry, "source", OMISSION["source"])
+        texts = _of_table(entry, "name_text", OMISSION["name_text"])
+        return {**told, "source": source.tolist(), "name": [self.strings[i] for i in texts.tolist()]}
 
     @property
     def passes(self) -> dict[str, dict[str, Any]]:
@@ -382,38 +375,37 @@ class CompiledLevel:
         }
 
 
-def _stored(table: Any, name: str, column: Column) -> Stored | None:
-    """A column as it lies in the file, None where it is absent; what is wrong with it the range check tells."""
-    field = camel_case(name)
-    plain = _vector(table, field)
-    if plain is not None:
-        return Stored(_in_rows(plain, column))
-    if not hasattr(table, f"{field}Packed"):  # Level.text, which every language reads in place
+def _part(data: memoryview, row: list[int], step: float, column: Column) -> Stored | None:
+    """A column as it lies in the file, by a row of `level_parts`; None where it is absent."""
+    form, place, length, index_size, index_place, index_length, count, first, origin_place, origin_length = row
+    if form < PLAIN:
         return None
+    width = column.width
+    shape = length if width == 1 else (length // width, width)
+    if form == PLAIN:
+        return Stored(np.ndarray(shape, _DTYPES[column.type], data, place))
+    values = None if form < FIRST_VECTOR else np.ndarray(shape, _OF_VECTORS[form - FIRST_VECTOR], data, place)
+    index = np.ndarray(index_length, _INDICES[index_size], data, index_place) if index_size else None
+    origin = tuple(np.ndarray(origin_length, _DTYPES["i4"], data, origin_place).tolist()) if origin_length else ()
+    return Stored(values, index, count, first, step, origin)
+
+
+def _of_table(table: Any, name: str, column: Column) -> npt.NDArray[Any]:
+    """A column of a table that is no section."""
+    field = camel_case(name)
+    if not getattr(table, f"{field}IsNone")():
+        return Stored(getattr(table, f"{field}AsNumpy")()).array(column)
     packed = getattr(table, f"{field}Packed")()
     if packed is None:
-        return None
-    values = next((v for kind in VECTORS if (v := _vector(packed, camel_case(kind))) is not None), None)
-    index = next((v for kind in INDICES if (v := _vector(packed, camel_case(kind))) is not None), None)
-    origin = _vector(packed, "Origin")
-    return Stored(
-        None if values is None else _in_rows(values, column), index, packed.Count(), packed.First(), packed.Step(),
-        () if origin is None else tuple(origin.tolist()),
-    )  # fmt: skip
-
-
-def _vector(table: Any, field: str) -> npt.NDArray[Any] | None:
-    if getattr(table, f"{field}IsNone")():
-        return None
-    values: npt.NDArray[Any] = getattr(table, f"{field}AsNumpy")()
-    values.flags.writeable = False
-    return values
-
-
-def _in_rows(values: npt.NDArray[Any], column: Column) -> npt.NDArray[Any]:
-    if column.width == 1:
-        return values
-    return values[: len(values) // column.width * column.width].reshape(-1, column.width)
+        return absent(column, 0).array(column)
+    values, index = (
+        next(
+            (getattr(packed, f"{v}AsNumpy")() for v in map(camel_case, names) if not getattr(packed, f"{v}IsNone")()),
+            None,
+        )
+        for names in (VECTORS, INDICES)
+    )
+    return Stored(values, index, packed.Count(), packed.First()).array(column)
 
 
 def open_compiled(path: str | Path, verify: bool = False) -> CompiledLevel:

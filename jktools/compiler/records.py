@@ -235,25 +235,52 @@ def _ledges(level: CompiledLevel, section: Section, translate: Translate) -> Ite
         "ledges", "body", range(len(bodies)), names, bodies, _plain(section, "body", body_fields), by_identity=True
     )
     owner = np.repeat(np.arange(len(bodies)), np.diff(section.body_ledge_start).astype(np.int64)).tolist()
-    edges: dict[tuple[int, int, int], list[Any]] = {}
+    edges: dict[tuple[Any, ...], list[Any]] = {}
+    here = ("surface", "corner", "carrier", "carrier_frame", "carrier_face")
+    there = (
+        "start",
+        "end",
+        "kind",
+        "other_kind",
+        "below",
+        "thing",
+        "onto",
+        "onto_face",
+        "drop_start",
+        "drop_end",
+        "traits",
+    )
     rows = zip(
-        owner, section.surface.tolist(), section.corner.tolist(), section.start.tolist(), section.end.tolist(),
-        section.kind.tolist(), section.other_kind.tolist(), section.below.tolist(), section.thing.tolist(),
-        section.drop_start.tolist(), section.drop_end.tolist(), section.traits.tolist(), strict=True,
-    )  # fmt: skip
-    for body, surface, corner, start, end, kind, other, below, thing, first, last, traits in rows:
+        owner, zip(*_columns(section, here), strict=True), zip(*_columns(section, there), strict=True), strict=True
+    )
+    for body, edge, (start, end, kind, other, below, thing, onto, face, first, last, traits) in rows:
         interval = {
             "from": start, "to": end, "kind": _word(LEDGE_KINDS, kind), "other_profile": _word(LEDGE_KINDS, other),
-            "below": translate("surface", below), "thing": translate("thing", thing), "drop": (first, last),
-            "traits": traits,
+            "below": translate("surface", below), "thing": translate("thing", thing),
+            "onto": (translate("thing", onto), face), "drop": (first, last), "traits": traits,
         }  # fmt: skip
-        edges.setdefault((body, surface, corner), []).append(interval)
+        edges.setdefault((body, *edge), []).append(interval)
     yield Records(
-        "ledges", "edge", [surface for _, surface, _ in edges],
-        [f"corner {corner}, {names[body]}" for body, _, corner in edges],
-        [(bodies[body], translate("surface", surface), corner) for body, surface, corner in edges],
+        "ledges", "edge", [surface for _, surface, *_ in edges],
+        [f"{_edge(corner, *carrier)}, {names[body]}" for body, _, corner, *carrier in edges],
+        [
+            (bodies[body], translate("surface", surface), corner, translate("thing", thing), *rest)
+            for body, surface, corner, thing, *rest in edges
+        ],
         {"intervals": Field(list(edges.values()))}, by_identity=True,
     )  # fmt: skip
+
+
+def _columns(section: Section, names: Sequence[str]) -> list[list[Any]]:
+    """Columns of numbers, those that an older file lacks as none."""
+    rows = len(section.stored["surface"])
+    return [getattr(section, name).tolist() if name in section.stored else [-1] * rows for name in names]
+
+
+def _edge(corner: int, carrier: int, frame: int, face: int) -> str:
+    if carrier < 0:
+        return f"corner {corner}"
+    return f"thing {carrier}" + (f" at frame {frame}" if frame >= 0 else "") + f", face {face}, corner {corner}"
 
 
 def _word(words: Sequence[str], number: int) -> Any:

@@ -12,12 +12,14 @@ from jktools.facts import LevelFacts
 from jktools.facts.colour_effects import constant_effects, palettes, shown
 from jktools.facts.hotspots import Runner, Verdict
 from jktools.facts.lights import still_lights
-from jktools.facts.motion import bodies, gravity_of, motions
+from jktools.facts.motion import Interval, bodies, gravity_of, motions
 from jktools.facts.particles import clouds
 
 VERDICTS = (Verdict.NEVER, Verdict.ALWAYS, Verdict.VARIES)
 """In the order of the schema."""
 UNKNOWN = -1
+STOPS = ("stop_walk", "stop_run")
+"""Columns of both ends of an interval; of a jump the file holds the least."""
 
 
 def hotspots(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Columns | NotNeeded:
@@ -110,7 +112,10 @@ def motion(facts: LevelFacts, _: Strings, settings: CompileSettings) -> Columns 
     )  # fmt: skip
     columns = {"template": np.array([each.template.owner.index for each in found])}
     for key in found[0]._fields[1:]:
-        columns[key] = np.array([getattr(each, key) for each in found], np.float64)
+        values = [getattr(each, key) for each in found]
+        if isinstance(values[0], Interval) and key not in STOPS:
+            values = [value.least for value in values]
+        columns[key] = np.array(values, np.float64)
     return columns
 
 

@@ -19,15 +19,12 @@ from jktools.compiler.errors import CompiledFileError, CompileError
 from jktools.compiler.grid import grid_of, on_grid
 from jktools.compiler.packing import VECTORS, Stored, pack, pack_group
 from jktools.compiler.passes import Outcome, Progress, run
-from jktools.compiler.reader import FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
+from jktools.compiler.reader import ALIGNMENT, FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
 from jktools.compiler.sections import Columns, Strings, parameter_keys
 from jktools.compiler.settings import CompileSettings
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.model import Level
-
-ALIGNMENT = 8
-"""Bytes; every vector starts at a multiple, so that a mapped file can be viewed as arrays of any scalar."""
 
 FIRST_GUESS = 1 << 20
 """Bytes that the builder starts with; it grows by doubling."""
@@ -49,13 +46,17 @@ def compile_level(level: Level, settings: CompileSettings | None = None) -> byte
     return compilation(level, settings).data
 
 
+WRITING = "write"
+"""What comes behind the passes: the file is put together and checked."""
+
+
 def compilation(
     level: Level,
     settings: CompileSettings | None = None,
     facts: LevelFacts | None = None,
     progress: Progress = lambda _: None,
 ) -> Compilation:
-    """Compile a level.
+    """Compile a level. `progress` is told the name of each pass before it runs, and `WRITING` behind the last.
 
     Raises CompileError when the engine would refuse it or read beyond its lists, PassError when a pass fails and the
     settings do not say to keep going.
@@ -68,6 +69,7 @@ def compilation(
         facts = LevelFacts(level, facts.vocabulary)
     strings = Strings(parameter_keys(level))
     outcomes = run(facts, strings, settings, progress)
+    progress(WRITING)
     data = _assemble(level, settings, strings, outcomes)
     try:
         CompiledLevel(data, level.path)

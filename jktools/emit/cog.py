@@ -169,4 +169,5 @@ def _verb(verb: VerbSummary) -> str:
 
 def _often(run: RunSummary) -> str:
     count = "any number of times" if run.per_run is None else f"{run.per_run:.6g}"
-    return f"{count} a run of {run.label}"
+    asleep = f" and {run.per_second:.6g} a second" if run.per_second else ""
+    return f"{count} a run of {run.label}{asleep}"

@@ -66,8 +66,8 @@ def rest(level: CompiledLevel) -> dict[str, int]:
     }
 
 
-def json(level: CompiledLevel, *, verified: Sequence[str] = ()) -> str:
-    """The same as JSON; its shape is docs/inspect.schema.json."""
+def json(level: CompiledLevel, *, verified: Sequence[str] = (), fault: str | None = None) -> str:
+    """The same as JSON; its shape is docs/inspect.schema.json. `fault` is what verifying found."""
     step = level.vertex_step
     return dump(
         {
@@ -83,6 +83,7 @@ def json(level: CompiledLevel, *, verified: Sequence[str] = ()) -> str:
             "settings": level.settings,
             "grid": {"step": step, "moved_at_most": step / 2} if step else None,
             "verified": list(verified),
+            "fault": fault,
             "sections": {
                 name: {
                     "bytes": section.nbytes,

@@ -19,6 +19,11 @@ SHOWN = 10
 """Records of one kind and change that the text shows, unless all are asked for."""
 WIDE = 72
 """Characters of a value that the text shows."""
+LABELS = {
+    "edge": "edge of surface", "view": "view from sector", "light": "light of thing", "cloud": "cloud of template",
+    "mover": "motion of template", "hotspot": "hotspot of cog", "colour effect": "colour effect of cog",
+}  # fmt: skip
+"""What the number of a record counts, where it is not its own kind."""
 PLURALS = {"vertex": "vertices", "body": "bodies", "settings": "settings"}
 
 
@@ -103,7 +108,7 @@ def _left(shown: Counter[tuple[str, str]]) -> Iterator[str]:
 
 def _lines(each: Difference) -> Iterator[str]:
     number = each.after if each.before is None else each.before
-    what = each.kind + ("" if number is None or not _is_numbered(each) else f" {number}")
+    what = LABELS.get(each.kind, each.kind) + ("" if number is None or not _is_numbered(each) else f" {number}")
     if each.after is not None and each.before is not None and each.after != each.before:
         what += f" (now {each.after})"
     name = f" ({printable(each.name)})" if each.name else ""

@@ -42,7 +42,8 @@ class Way(enum.IntFlag):
     WATER = 0x8
     DEADLY = 0x10
     UNKNOWN = 0x20
-    """A sector that lifts, a script that may do anything there, or a slope that is no floor."""
+    """A sector that lifts, a script that may do anything there, a slope that is no floor, or a lip that is climbed at
+    times."""
 
 
 class Entry(enum.IntFlag):
@@ -113,7 +114,7 @@ def basins_of(level: Level, ledges: Ledges, touched: Touched) -> tuple[Basin, ..
     leaves_down[here[apart & falls]] = True
     deep = (ledges.deepest[ways.row] > 0) & ~ledges.narrow[ways.row] & ~ways.back
     entering = apart & np.isin(ways.kind, (Kind.SEAMLESS, Kind.FALL, Kind.JUMP)) & deep
-    found = []
+    starting, found = set(starts(level)), []
     for number in sorted(set(there[entering & ~leaves_down[there]].tolist())):
         surfaces = np.flatnonzero(ledges.edges.floors & (region[:count] == number))
         if not len(surfaces):
@@ -121,11 +122,13 @@ def basins_of(level: Level, ledges: Ledges, touched: Touched) -> tuple[Basin, ..
         rows = ways.row[entering & (there == number)]
         drops = np.concatenate([ledges.drop_start[rows], ledges.drop_end[rows]])
         entered = _entered(ledges.kind[rows])
-        if set(starts(level)) & set(level.surface_sector[surfaces].tolist()):
+        if starting & set(level.surface_sector[surfaces].tolist()):
             entered |= Entry.START
         left = Way.DEADLY if _kills(level, ledges, rows) else Way(0)
         own = here == number
         left |= _left(level, ledges.floors, ways.kind[own], apart[own], surfaces, touched)
+        if (ledges.thing[ways.row[own & (ways.kind == Kind.UNKNOWN)]] < 0).any():
+            left |= Way.UNKNOWN
         shallowest, deepest = max(0.0, float(drops.min())), float(drops.max())
         found.append(Basin(tuple(surfaces.tolist()), shallowest, deepest, entered, left, tuple(rows.tolist())))
     return tuple(sorted(found, key=lambda basin: basin.surfaces))
@@ -140,10 +143,10 @@ def _ways(level: Level, ledges: Ledges) -> _Ways:
     there = np.where(below >= 0, below, np.where(onto >= 0, count + onto, -1))
     kind = ledges.kind[rows]
     back = np.flatnonzero((face >= 0) & (there >= 0) & np.isin(kind, (Kind.SEAMLESS, Kind.FALL)))
-    limits, rise = Limits.of(ledges.walker, ledges.engine), ledges.least[rows[back]]
+    limits, rise = Limits.of(ledges.walker, ledges.engine, lips=bool(len(back))), ledges.least[rows[back]]
     up = np.select(
-        [rise <= limits.clearance, rise <= limits.hover, rise <= limits.jump],
-        [Kind.STEP, Kind.LIP, Kind.JUMP], Kind.WALL,
+        [rise <= limits.clearance, rise <= limits.lip, rise <= limits.jump, rise <= limits.hover],
+        [Kind.STEP, Kind.LIP, Kind.JUMP, Kind.UNKNOWN], Kind.WALL,
     )  # fmt: skip
     return _Ways(
         np.concatenate([rows, rows[back]]),

@@ -12,6 +12,7 @@ from jktools.engine.flags import PhysicsFlag
 from jktools.engine.gravity import WORLD_GRAVITY
 from jktools.engine.hover import hover_height
 from jktools.engine.jump import CROUCHED_JUMP_FACTOR, apex, fall_damage, landing_speed
+from jktools.engine.lip import highest_lip
 from jktools.engine.profile import Engine
 from jktools.engine.reattach import reattach_distance
 from jktools.facts.motion import body_of
@@ -59,8 +60,12 @@ class Walker:
         return float(reattach_distance(offset, b.movesize, height=b.height, engine=engine))
 
     def clearance(self, engine: Engine) -> float:
-        """JKU under its sphere: the highest step that it walks up."""
+        """JKU under its sphere: the highest step that it passes over."""
         return self.hover(engine) - self.body.movesize
+
+    def lip(self, engine: Engine) -> float:
+        """The highest step that it surely walks up, sliding over the edge, JKU. Simulated once for each body."""
+        return highest_lip(self.body, self.gravity, engine)
 
     def apex(self, *, crouching: bool = False) -> float:
         """How high it jumps, JKU."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -36,12 +35,12 @@ class Kind(enum.IntEnum):
     STEP = 5
     """Up, and the sphere passes over it."""
     LIP = 6
-    """Up, and the sphere meets its edge: it slides up if it is fast enough."""
+    """Up, and the sphere meets its edge and slides up, at full speed."""
     JUMP = 7
     """Up or over, by a jump."""
     WALL = 8
     UNKNOWN = 9
-    """A thing that bodies can stand on may be there or not."""
+    """A thing that bodies can stand on may be there or not; or a lip that a body slides up on some days only."""
 
 
 DOWN = (Kind.SEAMLESS, Kind.FALL)
@@ -55,13 +54,15 @@ class Limits(NamedTuple):
     hover: float
     reattach: float
     clearance: float
+    lip: float
     jump: float
 
     @classmethod
-    def of(cls, walker: Walker, engine: Engine) -> Limits:
-        """Those of a body."""
+    def of(cls, walker: Walker, engine: Engine, *, lips: bool = True) -> Limits:
+        """Those of a body; without `lips`, which are simulated, it takes none."""
         hover, clearance = walker.hover(engine), walker.clearance(engine)
-        return cls(hover, walker.reattach(engine), clearance, walker.apex() + clearance)
+        lip = walker.lip(engine) if lips else clearance
+        return cls(hover, walker.reattach(engine), clearance, lip, walker.apex() + clearance)
 
 
 class Judged(NamedTuple):
@@ -95,8 +96,10 @@ def joined(parts: list[Judged]) -> Judged:
     return Judged._make((found, *rest)).part(order)
 
 
-def judge(found: Beyond, limits: Mapping[Engine, Limits], radius: float, engine: Engine) -> Judged:
+def judge(found: Beyond, walker: Walker, engine: Engine) -> Judged:
     """Say what intervals are to a body, cut where that changes."""
+    radius = walker.body.movesize
+    limits = {each: Limits.of(walker, each, lips=_may_be_lip(found, walker, each)) for each in Engine}
     far = limits[Engine.OPENJKDF2].hover - radius
     reattach = [each.reattach for each in limits.values()]
     heights = sorted({0.0} | {cut for each in limits.values() for cut in _cuts(each)})
@@ -113,7 +116,12 @@ def judge(found: Beyond, limits: Mapping[Engine, Limits], radius: float, engine:
 
 
 def _cuts(limits: Limits) -> tuple[float, ...]:
-    return (limits.hover, limits.reattach, -limits.clearance, -limits.hover, -limits.jump)
+    return (limits.hover, limits.reattach, -limits.clearance, -limits.lip, -limits.hover, -limits.jump)
+
+
+def _may_be_lip(found: Beyond, walker: Walker, engine: Engine) -> bool:
+    least, most = np.fmin(found.drop_start, found.drop_end), np.fmax(found.drop_start, found.drop_end)
+    return bool(((least < -walker.clearance(engine)) & (most > -walker.hover(engine))).any())
 
 
 def _middle(start: Float64, end: Float64) -> Float64:
@@ -139,9 +147,10 @@ def _classed(found: Beyond, limits: Limits, radius: float, engine: Engine) -> UI
             ~rising & seamless,
             ~rising,
             -drop <= limits.clearance,
-            -drop <= limits.hover,
+            -drop <= limits.lip,
+            (-drop > limits.jump) & (-drop <= limits.hover),
         ],
-        [Kind.LEVEL, Kind.SEAMLESS, Kind.FALL, Kind.STEP, Kind.LIP],
+        [Kind.LEVEL, Kind.SEAMLESS, Kind.FALL, Kind.STEP, Kind.LIP, Kind.UNKNOWN],
         Kind.JUMP,
     )
     jumped = found.rise > 0

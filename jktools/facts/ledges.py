@@ -143,6 +143,15 @@ class Ledges:
         """The lesser drop of both ends."""
         return np.fmin(self.drop_start, self.drop_end)
 
+    def spread(self) -> Float64:
+        """How far the drops of all intervals of an edge that lead down to one floor or up to it differ, JKU."""
+        _, way = np.unique(np.stack([self.edge, self.below, self.face]), axis=1, return_inverse=True)
+        way = way.reshape(-1)
+        most, least = np.full(len(self), -np.inf), np.full(len(self), np.inf)
+        np.fmax.at(most, way, self.deepest)
+        np.fmin.at(least, way, self.least)
+        return (most - least)[way]
+
     def middle(self, row: int) -> tuple[float, float, float]:
         """A point of the edge, JKU."""
         (here,), (there,) = self.edges.ends([self.edge[row]])
@@ -165,16 +174,15 @@ def ledges_of(
     placed: an edge that is not of one kind then is UNKNOWN there, and so is one with a way down through the ball of a
     thing whose model is not at hand. The edges of a thing at a frame are judged with the thing there.
     """
-    limits = {each: Limits.of(walker, each) for each in Engine}
     radius = walker.body.movesize
-    shallow = min(min(each.hover, each.reattach) for each in limits.values())
+    shallow = min(min(walker.hover(each), walker.reattach(each)) for each in Engine)
     rises = math.ceil(min(walker.apex() / radius, MOST_RISES))
-    gait = Gait(limits[engine].hover, radius, radius, rises, shallow)
+    gait = Gait(walker.hover(engine), radius, radius, rises, shallow)
 
     def judged(scene: Scene, rows: Int32) -> Judged:
         samples = SAMPLES if accuracy == "fast" else 0
         found = edges.beyond(gait, samples, threads, edges=rows, present=scene.present, exact=accuracy == "exact")
-        return judge(found, limits, radius, engine)
+        return judge(found, walker, engine)
 
     placed, *moved = floors.scenes()
     whole = judged(placed, edges.edges_of(placed.present))

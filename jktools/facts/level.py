@@ -8,6 +8,7 @@ from jktools import geometry
 from jktools.engine.profile import Engine
 from jktools.facts.basins import Basin, Touched, basins_of, touched_by_scripts
 from jktools.facts.bodies import Walker, walkers
+from jktools.facts.camera import Camera
 from jktools.facts.changes import changeable_surfaces
 from jktools.facts.cog.instance import InstanceFacts
 from jktools.facts.floors import Floors
@@ -24,6 +25,7 @@ from jktools.facts.hotspots import (
     runners,
     with_created,
 )
+from jktools.facts.in_view import Counted, FullFrame, fullest, in_view, totals
 from jktools.facts.islands import Island, islands
 from jktools.facts.ledges import Ledges, ledges_of
 from jktools.facts.movers import Mover, movers
@@ -216,6 +218,22 @@ class LevelFacts:
     def visibility(self) -> VisibleSectors:
         """Which sectors can be seen from which, at `balanced`."""
         return self.mesh.visible_sectors(open_surfaces=self.openable_surfaces)
+
+    @cached_property
+    def camera(self) -> Camera:
+        """What the renderer takes into frames of the level."""
+        return Camera(self.level)
+
+    def fullest_frame(self, item: Counted, most: int) -> FullFrame | None:
+        """A frame that takes in more than the engine draws of something, the fullest that is found; None without."""
+        if totals(self.level, self.camera)[item] <= most:
+            return None
+        found = fullest(self.level, self.camera, self._in_view[item], item)
+        return found if found is not None and found.held > most else None
+
+    @cached_property
+    def _in_view(self) -> tuple[Int32, Int32, Int32]:
+        return in_view(self.camera, self.visibility)
 
     def visible_sectors(self, accuracy: Accuracy) -> VisibleSectors:
         """Which sectors can be seen from which, at any tier."""

@@ -1,8 +1,9 @@
 """The light that still things throw on the level's vertices, as the engine's dynamic light would.
 
 A light reaches every vertex within its intensity / 0.8 JKU, whatever stands between (sithRender_RenderDynamicLights in
-the decompiled engine; research document, "Dynamic Light Attenuation"). Scripts can dim a light: this is how the level
-starts.
+the decompiled engine; research document, "Dynamic Light Attenuation"). Each is worked out alone, and all are: that a
+frame takes 32 at most depends on the view, and is the matter of `jktools.facts.in_view`. Scripts can dim a light: this
+is how the level starts.
 """
 
 from __future__ import annotations
@@ -14,8 +15,13 @@ import numpy as np
 from jktools.engine.light import light_on_vertices, reach
 from jktools.geometry.validity import Float64, Int32
 from jktools.model import Level, Thing
+from jktools.model.templates import Resolved
 
 STILL = "none"
+SHINES = 0x1
+"""Thing flag: `light` sets it, and a later `thingflags` can take it away."""
+DARK = 0x2 | 0x10 | 0x80000
+"""Thing flags with which nothing shines: to be removed, not drawn, disabled (sithRender_Clip)."""
 
 
 class StillLight(NamedTuple):
@@ -41,9 +47,21 @@ def still_lights(level: Level) -> list[StillLight]:
     for thing in level.things:
         held = thing.resolved
         intensity = held.number("light")
-        if thing.dropped is None and held.move == STILL and intensity > 0 and np.isfinite(thing.position).all():
+        if (
+            thing.dropped is None
+            and held.move == STILL
+            and intensity > 0
+            and may_shine(held)
+            and np.isfinite(thing.position).all()
+        ):
             found.append(_light(thing, intensity, used, corners))
     return found
+
+
+def may_shine(held: Resolved) -> bool:
+    """Whether the flags of a thing let it shine."""
+    flags = held.flags("thingflags")
+    return bool(flags & SHINES) and not flags & DARK
 
 
 def lit_vertices(level: Level) -> Int32:

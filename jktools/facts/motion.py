@@ -2,7 +2,10 @@
 
 On flat ground without ice, in the level's gravity. A walk, run or crouch is the speed at which drag balances thrust
 (research document, "Steady Speed"), which the engine's step reaches exactly. What stops a body is its drag, tick by
-tick, and its static drag.
+tick, and its static drag. A jump ends where the body is as high again as it started. That is not yet the landing, which
+depends on the hover height, that of the model: by the research document the body comes down by its sphere, later by
+hover height less `movesize`; the decompiled engine takes the floor up to 2 `movesize` + 0.005 less the hover height
+earlier, by the sphere that it sweeps (sithPhysics_FindFloor).
 """
 
 from __future__ import annotations
@@ -14,14 +17,14 @@ from typing import NamedTuple
 import numpy as np
 
 from jktools.engine import drag, integration
-from jktools.engine.arrays import Float64
+from jktools.engine.arrays import Bool, Float64
 from jktools.engine.body import Body
 from jktools.engine.flags import PhysicsFlag
 from jktools.engine.gravity import gravity_acceleration
-from jktools.engine.jump import apex, jump_speed, reach
+from jktools.engine.jump import apex, flight_seconds, jump_speed
 from jktools.engine.profile import Engine
 from jktools.engine.simulation import SCHEME_OF
-from jktools.engine.thrust import Keys, Support, actor_acceleration, capped, player_thrust
+from jktools.engine.thrust import Keys, Support, actor_acceleration, capped, player_thrust, thrust_acceleration
 from jktools.model import Level
 from jktools.model.templates import Resolved
 
@@ -41,6 +44,16 @@ class Interval(NamedTuple):
     most: float
 
 
+NO_WAY = Interval(math.nan, math.nan)
+
+
+class Jump(NamedTuple):
+    """One way to jump: JKU."""
+
+    height: Interval
+    reach: Interval
+
+
 class Motion(NamedTuple):
     """One template's motion: JKU and seconds. NaN is not known or not its way to move, infinity has no bound."""
 
@@ -56,12 +69,12 @@ class Motion(NamedTuple):
     stop_walk: Interval
     """Way from a walk to rest."""
     stop_run: Interval
-    jump_height: float
+    jump_height: Interval
     """Of the feet over the floor that they leave."""
-    crouched_jump_height: float
-    jump_reach: float
+    crouched_jump_height: Interval
+    jump_reach: Interval
     """Way over level ground of a jump from a walk, keys held."""
-    run_jump_reach: float
+    run_jump_reach: Interval
 
 
 def bodies(level: Level) -> list[Resolved]:
@@ -109,47 +122,44 @@ def motions(
 ) -> list[Motion]:
     """Work out the motion of templates in a gravity, JKU/s^2.
 
-    Stopping: `fast` by the closed form, `balanced` by the engine's step at `fps`, `exact` over 10 to 120 frames a
-    second.
+    Stopping and jumps: `fast` by the closed form, `balanced` by the engine's step at `fps`, `exact` by that step over
+    10 to 120 frames a second.
     """
-    held = [(template, body_of(template)) for template in templates]
-    speeds = [_speeds(body, engine) for _, body in held]
+    held = [body_of(template) for template in templates]
+    speeds = [_speeds(body, engine) for body in held]
     from_walk, from_run = (
-        _stops([body for _, body in held], [each[gait] for each in speeds], engine, accuracy, fps)
-        for gait in ("walk", "run")
+        _stops(held, [each[gait] for each in speeds], engine, accuracy, fps) for gait in ("walk", "run")
     )
-    return [
-        _motion(template, body, each, stop_walk, stop_run, gravity)
-        for (template, body), each, stop_walk, stop_run in zip(held, speeds, from_walk, from_run, strict=True)
+    jumps = [
+        _jumps(held, gravity, [each[gait] for each in speeds], engine, accuracy, fps, crouching=crouching)
+        for gait, crouching in (("walk", False), ("run", False), ("crouch", True))
     ]
-
-
-def _motion(
-    template: Resolved, body: Body, speeds: dict[str, float], stop_walk: Interval, stop_run: Interval, gravity: float
-) -> Motion:
-    pull = -gravity_acceleration(body, gravity=gravity)
-    steering = float(player_thrust(body, Keys(forward=1.0), Support.AIR)[1]) if body.player else 0.0
-    return Motion(
-        template,
-        speeds["walk"],
-        speeds["back"],
-        speeds["strafe"],
-        speeds["run"],
-        speeds["crouch"],
-        speeds["air"],
-        speeds["swim"],
-        stop_walk,
-        stop_run,
-        _jump_height(body, pull, crouching=False),
-        _jump_height(body, pull, crouching=True) if body.player else math.nan,
-        _jump_reach(body, pull, speeds["walk"], steering),
-        _jump_reach(body, pull, speeds["run"], steering),
-    )
+    return [
+        Motion(
+            template,
+            each["walk"],
+            each["back"],
+            each["strafe"],
+            each["run"],
+            each["crouch"],
+            each["air"],
+            each["swim"],
+            stop_walk,
+            stop_run,
+            walk.height,
+            crouch.height if body.player else NO_WAY,
+            walk.reach,
+            run.reach,
+        )
+        for template, body, each, stop_walk, stop_run, walk, run, crouch in zip(
+            templates, held, speeds, from_walk, from_run, *jumps, strict=True
+        )
+    ]
 
 
 def _speeds(body: Body, engine: Engine) -> dict[str, float]:
     if not body.player:
-        return _actor_speeds(body)
+        return _actor_speeds(body, engine)
     gaits = {
         "walk": Keys(forward=1.0),
         "back": Keys(forward=-1.0),
@@ -167,26 +177,30 @@ def _steady(body: Body, keys: Keys, support: Support, engine: Engine) -> float:
     if not body.physflags & PhysicsFlag.USES_THRUST:
         return 0.0
     thrust = player_thrust(body, keys, support, engine=engine)
-    if support is Support.SURFACE and engine is Engine.OPENJKDF2:
+    attached = support is Support.SURFACE
+    thrust = thrust_acceleration(thrust, crouching=keys.crouch, attached=attached, engine=engine)
+    if attached and engine is Engine.OPENJKDF2:
         thrust = capped(thrust, body.maxvel, 1.0 / FPS)
     pull = drag.coefficients(body, support, thrusting=True, engine=engine)
     size = float(np.linalg.norm(thrust))
     return float(integration.steady_speed(size, pull.drag))
 
 
-def _actor_speeds(body: Body) -> dict[str, float]:
-    """An AI's speeds at its instincts' speed of 1; it has no keys to run or crouch with."""
-    found = dict.fromkeys(("run", "crouch", "air"), math.nan)
+def _actor_speeds(body: Body, engine: Engine) -> dict[str, float]:
+    """An AI's speeds at its instincts' speed of 1; it has no keys to run or crouch with.
+
+    In the decompiled engine an AI adds to the velocity before the frame's drag is taken (sithAI_Tick comes before
+    sithPhysics_ThingTick), which leaves it slower by what it adds in a frame.
+    """
     thrust = float(np.linalg.norm(actor_acceleration(body, FORWARD)))
-    surface = drag.coefficients(body, Support.SURFACE, thrusting=True)
-    water = drag.coefficients(body, Support.WATER, thrusting=True)
-    walk = float(integration.steady_speed(thrust, surface.drag))
-    return found | {
-        "walk": walk,
-        "back": walk,
-        "strafe": walk,
-        "swim": float(integration.steady_speed(thrust, water.drag)),
-    }
+    found = dict.fromkeys(("run", "crouch", "air"), math.nan)
+    for gaits, support in ((("walk", "back", "strafe"), Support.SURFACE), (("swim",), Support.WATER)):
+        pull = drag.coefficients(body, support, thrusting=True, engine=engine)
+        speed = float(integration.steady_speed(thrust, pull.drag))
+        if engine is Engine.OPENJKDF2:
+            speed = max(0.0, speed - thrust / FPS)
+        found |= dict.fromkeys(gaits, speed)
+    return found
 
 
 def _stops(held: Sequence[Body], speeds: Sequence[float], engine: Engine, accuracy: str, fps: float) -> list[Interval]:
@@ -233,16 +247,90 @@ def stopping_distance(
     return np.where(known, stopped, np.where(np.isnan(speed), np.nan, np.inf))
 
 
-def _jump_height(body: Body, pull: float, *, crouching: bool) -> float:
-    speed = jump_speed(body, crouching=crouching)
-    if speed <= 0:
+def _jumps(
+    held: Sequence[Body],
+    gravity: float,
+    run_up: Sequence[float],
+    engine: Engine,
+    accuracy: str,
+    fps: float,
+    *,
+    crouching: bool,
+) -> list[Jump]:
+    """Jumps with the forward key held, from a run-up in JKU/s."""
+    if not held:
+        return []
+    speed = np.array([jump_speed(body, crouching=crouching) for body in held])
+    pull = np.array([-gravity_acceleration(body, gravity=gravity) for body in held])
+    drags = np.array([body.airdrag for body in held])
+    steering = np.array([_steering(body, engine) for body in held])
+    start = np.array(run_up, np.float64)
+    if accuracy == "fast":
+        tries = [_closed_jump(speed, pull, drags, start, steering)]
+    else:
+        rates = FPS_RANGE if accuracy == "exact" else (fps,)
+        tries = [jump_flight(speed, pull, drags, start, steering, 1.0 / rate, engine) for rate in rates]
+    found = np.array(tries)
+    least, most = found.min(axis=0), found.max(axis=0)
+    return [
+        Jump(
+            Interval(float(least[0, i]), float(most[0, i])),
+            Interval(float(least[1, i]), float(most[1, i])),
+        )
+        for i in range(len(held))
+    ]
+
+
+def _steering(body: Body, engine: Engine) -> float:
+    """What the forward key adds in the air, JKU/s^2; an AI does not steer there."""
+    if not body.player or not body.physflags & PhysicsFlag.USES_THRUST:
         return 0.0
-    return float(apex(speed, body.airdrag, pull).height) if pull > 0 else math.inf
+    return float(player_thrust(body, Keys(forward=1.0), Support.AIR, engine=engine)[1])
 
 
-def _jump_reach(body: Body, pull: float, run_up: float, steering: float) -> float:
-    if math.isnan(run_up) or jump_speed(body) <= 0:
-        return math.nan if math.isnan(run_up) else 0.0
-    if pull <= 0 or math.isinf(run_up):
-        return math.inf
-    return float(reach(body, run_up, steering=steering, gravity=pull))
+def _closed_jump(
+    speed: Float64, pull: Float64, k: Float64, start: Float64, steering: Float64
+) -> tuple[Float64, Float64]:
+    """Height and reach of jumps by the closed form."""
+    falls, jumps = pull > 0, speed > 0
+    safe = np.where(falls, pull, 1.0)
+    height = apex(speed, k, safe).height
+    seconds = flight_seconds(speed, 0.0, k, safe)
+    way = integration.closed_form(0.0, np.nan_to_num(start, posinf=0.0), steering, k, seconds).position
+    return _told(jumps, falls, start, height, way)
+
+
+def jump_flight(
+    speed: Float64, pull: Float64, k: Float64, start: Float64, steering: Float64, dt: float,
+    engine: Engine = Engine.RESEARCH,
+) -> tuple[Float64, Float64]:  # fmt: skip
+    """Step jumps until they are as high again as they started: greatest height and way over the ground, (n,) JKU each.
+
+    `speed` (n,) upwards and `start` (n,) forward, JKU/s; `pull` (n,) gravity and `steering` (n,) forward, JKU/s^2; `k`
+    (n,) air drag in 1/s, `dt` in s. As `Simulation` steps: velocity, then position; within the last frame the body goes
+    straight. Infinite height and way where nothing pulls down, or for a flight of more than a minute.
+    """
+    falls, jumps = pull > 0, speed > 0
+    flying = falls & jumps
+    velocity = np.stack([np.zeros_like(speed), np.nan_to_num(start, posinf=0.0), speed], axis=1)
+    push = np.stack([np.zeros_like(speed), steering, -pull], axis=1)
+    place, top, way = np.zeros_like(velocity), np.zeros_like(speed), np.full_like(speed, np.inf)
+    for _ in range(math.ceil(LONGEST_STOP / dt)):
+        if not flying.any():
+            break
+        moved = integration.step(SCHEME_OF[engine], place, velocity, push, k[:, None], dt)
+        landed = flying & (moved.position[:, 2] <= 0)
+        drop = place[:, 2] - moved.position[:, 2]
+        part = np.divide(place[:, 2], drop, out=np.zeros_like(drop), where=landed & (drop > 0))
+        forward = place[:, 1] + (moved.position[:, 1] - place[:, 1]) * part
+        way = np.where(landed, forward, way)
+        flying &= ~landed
+        top = np.where(flying, np.maximum(top, moved.position[:, 2]), top)
+        place, velocity = moved.position, moved.velocity
+    return _told(jumps, falls & ~flying, start, top, way)
+
+
+def _told(jumps: Bool, falls: Bool, start: Float64, height: Float64, way: Float64) -> tuple[Float64, Float64]:
+    """Jumps that none make are 0, those that nothing ends infinite; the way from a speed that is not known is not."""
+    reach = np.where(jumps, np.where(falls & np.isfinite(start), way, np.inf), 0.0)
+    return np.where(jumps, np.where(falls, height, np.inf), 0.0), np.where(np.isnan(start), np.nan, reach)

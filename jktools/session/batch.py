@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import multiprocessing
 import os
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, field, replace
+from multiprocessing.context import SpawnContext
 from pathlib import Path, PurePosixPath
+from time import perf_counter
 from typing import NamedTuple
 
 from jktools.compiler import CompileError, CompileSettings, PassError, compilation
@@ -174,6 +176,10 @@ class Written(NamedTuple):
     """Of the grid that its vertices were moved onto, JKU; 0 where they are as read."""
 
 
+Times = Mapping[str, float]
+"""Seconds by the name of a step."""
+
+
 @dataclass
 class Built:
     """What a build run wrote."""
@@ -187,10 +193,13 @@ class Built:
     """Paths that could not be read or written, one sentence each."""
     bugs: list[str] = field(default_factory=list)
     """Files on which jktools itself failed, one sentence each."""
+    times: list[Times] = field(default_factory=list, compare=False)
+    """For each level written, the seconds by step: `read`, the passes in their order, `write`."""
 
     def add(self, other: Built) -> None:
         """Take in what another run brought, after this one's."""
         self.written += other.written
+        self.times += other.times
         self.skipped += other.skipped
         self.refused += other.refused
         self.problems += other.problems
@@ -238,6 +247,7 @@ def _build_one(
     at_pass: Callable[[str], None],
 ) -> Built:
     built = Built()
+    watch = _Stopwatch("read")
     try:
         level = read_level(member, settings, library)
         if level.document.sections and not level.has_geometry:
@@ -246,8 +256,14 @@ def _build_one(
         fault = fault_of(target.name)
         if fault:
             raise InputError(f"cannot write {target}: {fault}")
-        compiled = compilation(level, compiling, progress=at_pass)
+
+        def at_step(name: str) -> None:
+            watch.turn(name)
+            at_pass(name)
+
+        compiled = compilation(level, compiling, progress=at_step)
         write_atomically(target, compiled.data)
+        built.times.append(watch.stop())
         built.written.append(Written(member.path, target, len(compiled.data), compiled.step))
         built.bugs += compiled.failures
     except InputError as error:
@@ -259,6 +275,24 @@ def _build_one(
     except Exception as error:
         built.bugs.append(f"{member.path}: {_failed(member, error).message}")
     return built
+
+
+class _Stopwatch:
+    """Tells how long each of some steps took, one after the other."""
+
+    def __init__(self, step: str) -> None:
+        self.step, self.since = step, perf_counter()
+        self.seconds: dict[str, float] = {}
+
+    def turn(self, step: str) -> None:
+        """End a step and begin another."""
+        now = perf_counter()
+        self.seconds[self.step] = self.seconds.get(self.step, 0.0) + now - self.since
+        self.step, self.since = step, now
+
+    def stop(self) -> Times:
+        self.turn("")
+        return self.seconds
 
 
 class _Worker:
@@ -307,8 +341,23 @@ def _built_in_processes(
             try:
                 built.add(each.result())
             except BrokenProcessPool:
-                built.bugs.append(f"{member.path}: the process that compiles it ended; try --jobs 1")
+                built.add(_built_alone(done, member, targets[done], context, start))
     return built
+
+
+def _built_alone(
+    number: int,
+    member: Member,
+    target: Path,
+    context: SpawnContext,
+    start: tuple[tuple[str, ...], Settings, CompileSettings | None],
+) -> Built:
+    """Compile a level in a process of its own, after one that ended took all that were waiting with it."""
+    with ProcessPoolExecutor(1, context, _start_worker, start) as pool:
+        try:
+            return pool.submit(_work, number, target).result()
+        except BrokenProcessPool:
+            return Built(bugs=[f"{member.path}: the process that compiles it ended; try --jobs 1"])
 
 
 def _bug(error: PassError) -> str:

@@ -231,6 +231,9 @@ private:
         return (normal[0] * out_[0] + normal[1] * out_[1]) / normal[2];
     }
 
+    // How far above the edge the way up begins.
+    double start_up() const { return (home_ < 0 ? kOnFace : 0) + kBeyond * slope_; }
+
     double off(int which) const { return (which + 1) * gait_.radius; }
 
     Point beside(double t, double side, double up) const {
@@ -287,7 +290,10 @@ private:
         for (const Step& step : path) visited_.insert(step.sector);
         double stopped = verdict.visible ? 1 : path.back().leave;
         Way way{path.back().sector, verdict.blocker, -1};
+        Box around = Box::nothing();
+        around.add(from.data()), around.add(to.data());
         for (const Triangle& t : solids_) {
+            if (t.outside(around)) continue;
             const auto part = t.pierced(vector(from.data()), vector(to.data()));
             if (part && CGAL::to_double(*part) < stopped)
                 stopped = CGAL::to_double(*part), way = {sector, -1, t.owner};
@@ -315,8 +321,11 @@ private:
         std::optional<Number> highest;
         if (landed.plane) highest = landed.plane->height(x, y);
         if (landed.over == Over::kWater && landing.met < 0) highest = z;
+        Box under = Box::nothing();
+        under.add(from.data());
+        under.low[2] = -kInfinity;
         for (const auto& [t, plane] : carriers_) {
-            if (!t.holds(x, y)) continue;
+            if (t.outside(under) || !t.holds(x, y)) continue;
             const Number height = plane.height(x, y);
             if (height > z || (highest && height <= *highest)) continue;
             highest = height;
@@ -359,7 +368,7 @@ private:
     }
 
     Met at(double t) {
-        const Point inner = beside(t, -kBeyond, kOnEdge + kBeyond * slope_);
+        const Point inner = beside(t, -kBeyond, start_up());
         const Index home = home_of(inner);
         Met met{Over::kBlocked, -1, -1, home, 0, std::nullopt, {}};
         if (home < 0) return met;
@@ -520,7 +529,8 @@ private:
         for (const Triangle& t : solids_) breaks_of(t, breaks);
         for (std::size_t i = 0; i < carriers_.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
-                if (share_extent(carriers_[i].first, carriers_[j].first))
+                if (share_extent(carriers_[i].first, carriers_[j].first) &&
+                    share_height(carriers_[i].first, carriers_[j].first))
                     crossing_of(carriers_[i].first, carriers_[i].second, carriers_[j].second, breaks);
     }
 
@@ -540,11 +550,28 @@ private:
         return low <= other_high && other_low <= high;
     }
 
+    static bool share_height(const Triangle& a, const Triangle& b) {
+        const auto [low, high] = std::minmax({a.a[2], a.b[2], a.c[2]});
+        const auto [other_low, other_high] = std::minmax({b.a[2], b.b[2], b.c[2]});
+        return low <= other_high && other_low <= high;
+    }
+
+    // Whether a triangle reaches over the line along the edge on its `side`, or close to it.
+    bool reaches(const Triangle& t, double side) const {
+        double low = kInfinity, high = -kInfinity;
+        for (const double* p : {t.a, t.b, t.c}) {
+            const double at = (p[0] - here_[0]) * out_[0] + (p[1] - here_[1]) * out_[1];
+            low = std::min(low, at), high = std::max(high, at);
+        }
+        return low - 1e-6 <= side && side <= high + 1e-6;
+    }
+
     // Where a triangle is at the height of a plane.
     void crossing_of(const Triangle& t, const Plane& own, const Plane& plane, std::vector<Number>& breaks) const {
         const auto [low, high] = rough_extent(t);
         for (int which = -1; which < (further_ ? 2 : 0); ++which) {
             const double side = which < 0 ? kBeyond : off(which);
+            if (!reaches(t, side)) continue;
             const Vector first = exact_beside(Number(0), side), last = exact_beside(Number(1), side);
             const Number before = own.height(first.x, first.y) - plane.height(first.x, first.y);
             const Number after = own.height(last.x, last.y) - plane.height(last.x, last.y);
@@ -571,7 +598,7 @@ private:
             const Number met = dot(normal, vector(t.a) - from) / change;
             if (met >= low && met <= high) add(met, breaks);
         };
-        pierced(-kBeyond, kOnEdge + kBeyond * slope_);
+        pierced(-kBeyond, start_up());
         for (Index rise = 0; rise <= gait_.rises; ++rise)
             for (const double side : {-kBeyond, kBeyond}) pierced(side, gait_.hover + rise * gait_.rise);
     }

@@ -194,7 +194,7 @@ private:
     // Where the way up begins.
     Point inner(double t) const {
         const double rises = (normal_[0] * out_[0] + normal_[1] * out_[1]) / normal_[2];
-        return beside(t, -kBeyond, kOnEdge + kBeyond * rises);
+        return beside(t, -kBeyond, (home_ < 0 ? kOnFace : 0) + kBeyond * rises);
     }
 
     Found at(double t) {
@@ -389,9 +389,12 @@ private:
         bool any = false;
         const Plane own{t.normal, t.corner};
         const Extent here = extent(t);
+        const auto [low, high] =
+            std::minmax({seen(t.corners[0]).off, seen(t.corners[1]).off, seen(t.corners[2]).off});
         const double first_t = std::max(here[0], of_plane[0]), last_t = std::min(here[1], of_plane[1]);
         for (int which = -1; which < (further_ ? 2 : 0); ++which) {
             const double side = which < 0 ? kBeyond : off(which);
+            if (side < low || side > high) continue;
             const Point first = beside(0, side, 0), last = beside(1, side, 0);
             const double before = own.height(first) - plane.height(first), after = own.height(last) - plane.height(last);
             if ((before < 0) == (after < 0)) continue;

@@ -15,8 +15,9 @@ namespace jk {
 inline constexpr double kBeyond = 1e-3;
 // JKU: intervals shorter than this join their neighbour.
 inline constexpr double kShortest = 1e-5;
-// JKU over its floor at which a body's way up begins.
-inline constexpr double kOnEdge = 1e-4;
+// JKU over the face of a thing at which a body's way up begins, past the face itself. On the floor of a sector it begins
+// in its plane: at the rim of a bowl the sector may be lower than any such height.
+inline constexpr double kOnFace = 1e-4;
 
 // How a body goes over an edge, JKU. Where `hover` is blocked it tries `rise` higher, `rises` times. A floor that is
 // no deeper than `shallow` is taken at the edge: what lies further out is then not looked at.

@@ -24,12 +24,13 @@ bool on_triangle(const Fans::Triangle& t, const double* p) {
     double size = 0;  // as great as the coordinates: less would be lost beside them
     for (const double* corner : {t.a, t.b, t.c})
         for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(corner[k]));
-    // In the plane: seen from any point off it, p is on the same side of all three edges.
+    // In the plane: seen from a point before it, the corners turn counter-clockwise around p, or p is on an edge.
     for (int probe = 0; probe < kProbes; ++probe) {
         const auto d = direction(probe);
         const double eye[3] = {t.a[0] + size * d[0], t.a[1] + size * d[1], t.a[2] + size * d[2]};
         const int side = volume(t.a, t.b, t.c, eye).sign;
         if (side == 0) continue;
+        // Four points change hands when they move up by one place.
         return volume(eye, t.a, t.b, p).sign * side <= 0 && volume(eye, t.b, t.c, p).sign * side <= 0 &&
                volume(eye, t.c, t.a, p).sign * side <= 0;
     }

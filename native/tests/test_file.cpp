@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "file/verify.hpp"
+#include "file/parts.hpp"
 
 TEST_CASE("what is no compiled level is refused") {
-    CHECK_FALSE(jk::verify_level({}));
-    CHECK_FALSE(jk::verify_level(std::vector<std::uint8_t>(7, 0)));
-    std::vector<std::uint8_t> wild(64, 0xff);
+    CHECK(jk::level_fault({}) == "not a compiled level (no JKLB mark)");
+    alignas(8) std::uint8_t wild[64];
+    for (auto& octet : wild) octet = 0xff;
+    CHECK(jk::level_fault({wild, 7}) == "not a compiled level (no JKLB mark)");
     for (int i = 0; i < 4; ++i) wild[4 + i] = static_cast<std::uint8_t>("JKLB"[i]);
-    CHECK_FALSE(jk::verify_level(wild));
+    CHECK(jk::level_fault(wild) == "the file is cut off or damaged; build it again");
+    CHECK(jk::level_fault({wild + 1, 63}) == "the buffer does not start at a multiple of 8 bytes");
 }

@@ -102,6 +102,7 @@ private:
         for (Index s = mesh_.first_surface(sector); s < mesh_.end_surface(sector); ++s) {
             const Index triangles = mesh_.triangles(s);
             for (Index i = 0; i < triangles; ++i) {
+                if (mesh_.degenerate(s, i)) continue;
                 const Triangle t = mesh_.triangle(s, i);
                 if (apart(t, p)) continue;
                 const int side = orient3d(t.a, t.b, t.c, p).sign;
@@ -152,10 +153,10 @@ private:
         for (Index s = mesh_.first_surface(sector); s < mesh_.end_surface(sector); ++s) {
             const Index triangles = mesh_.triangles(s);
             for (Index i = 0; i < triangles; ++i) {
+                if (mesh_.degenerate(s, i)) continue;
                 const Triangle t = mesh_.triangle(s, i);
                 const int side = orient3d(t.a, t.b, t.c, p).sign;
                 if (side < 0) return kOutside;
-                if (side == 0 && collinear(t.a, t.b, t.c)) continue;
                 if (side == 0) place = kOn;
                 else if (place == kOutside) place = kInside;
             }

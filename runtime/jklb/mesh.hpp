@@ -49,7 +49,8 @@ public:
     Index leads_to(Index surface) const { return leads_to_[index(surface)]; }
     Index passes_to(Index surface) const { return passes_to_[index(surface)]; }
 
-    // Triangle i of a surface, in the order of the file: 0 <= i < triangles(surface).
+    // Triangle i of the fan of a surface, 0 <= i < triangles(surface), and whether its corners lie on one line: such a
+    // triangle counts for nothing. Of a surface of a known sector.
     Index triangles(Index surface) const {
         const Index corners = start_[index(surface) + 1] - start_[index(surface)];
         return corners > 2 ? corners - 2 : 0;
@@ -58,6 +59,8 @@ public:
         const Point fan = corner(surface, 0);
         return {fan, fan + 3 * (i + 1), fan + 3 * (i + 2)};
     }
+
+    bool degenerate(Index surface, Index i) const { return degenerate_[index(surface)] >> i & 1; }
 
     Index corners(Index surface) const { return start_[index(surface) + 1] - start_[index(surface)]; }
     Point corner(Index surface, Index i) const { return &corner_[3 * index(start_[index(surface)] + i)]; }
@@ -82,6 +85,7 @@ private:
             const auto vertex = static_cast<std::size_t>(g.corner_vertex(i));
             for (int k = 0; k < 3; ++k) corner_[3 * i + static_cast<std::size_t>(k)] = g.vertices(vertex, k);
         }
+        degenerate_.resize(g.surface_flags.rows());
     }
 
     void take_sectors(const Geometry& g) {
@@ -90,6 +94,7 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             const Index first = g.sector_first_surface(i), end = first + g.sector_surface_count(i);
             known_[i] = sound(first, end) && finite_vertices(g, i);
+            if (known_[i]) mark_degenerate(first, end);
             first_[i] = known_[i] ? first : 0;
             end_[i] = known_[i] ? end : 0;
             under_water_[i] = (g.sector_flags(i) & kSectorUnderwater) != 0;
@@ -102,6 +107,17 @@ private:
         for (std::size_t i = 3 * index(start_[index(first)]); i < 3 * index(start_[index(end)]); ++i)
             if (!std::isfinite(corner_[i])) return false;
         return true;
+    }
+
+    void mark_degenerate(Index first, Index end) {
+        for (Index s = first; s < end; ++s) {
+            std::uint32_t marks = 0;
+            for (Index i = 0; i < triangles(s); ++i) {
+                const Triangle t = triangle(s, i);
+                marks |= static_cast<std::uint32_t>(collinear(t.a, t.b, t.c)) << i;
+            }
+            degenerate_[index(s)] = marks;
+        }
     }
 
     static bool finite_vertices(const Geometry& g, std::size_t sector) {
@@ -132,6 +148,7 @@ private:
 
     std::vector<double> corner_;  // x y z of each, surface by surface
     std::vector<Index> start_, leads_to_, passes_to_, first_, end_;
+    std::vector<std::uint32_t> degenerate_;  // bit i for triangle i
     std::vector<std::uint8_t> known_, under_water_;
 };
 

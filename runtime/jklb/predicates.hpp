@@ -97,7 +97,7 @@ inline Signed orient2d(Point a, Point b, Point p, int x = 0, int y = 1) {
     return {value, error, sign};
 }
 
-// Whether three points lie on one line: from every side.
+// Whether three points lie on one line: seen along every axis.
 inline bool collinear(Point a, Point b, Point c) {
     return orient2d(a, b, c, 0, 1).sign == 0 && orient2d(a, b, c, 1, 2).sign == 0 && orient2d(a, b, c, 2, 0).sign == 0;
 }

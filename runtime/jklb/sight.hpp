@@ -51,7 +51,8 @@ private:
         found_.clear();
         for (Index s = mesh_.first_surface(sector); s < mesh_.end_surface(sector); ++s) {
             const Index triangles = mesh_.triangles(s);
-            for (Index i = 0; i < triangles; ++i) offer(s, mesh_.triangle(s, i), entry);
+            for (Index i = 0; i < triangles; ++i)
+                if (!mesh_.degenerate(s, i)) offer(s, mesh_.triangle(s, i), entry);
         }
     }
 

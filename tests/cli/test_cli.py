@@ -139,6 +139,25 @@ def test_build_and_inspect(here: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert compiled.vertices.shape == (12, 3)
 
 
+def test_the_seconds_of_each_pass_are_told(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("one", "two"):
+        (here / f"{name}.jkl").write_text(TWO_ROOMS)
+    assert main(["build", "one.jkl", "-o", "plain"]) == 0
+    assert len(capsys.readouterr().out.splitlines()) == 1
+    for jobs in ("1", "2"):
+        assert main(["build", "one.jkl", "two.jkl", "-o", "out", "-v", "--jobs", jobs, "--skip", "motion"]) == 0
+        first, passes, _, _, total = capsys.readouterr().out.splitlines()
+        assert first.startswith("one.jkl -> ")
+        assert total.startswith("2 levels: ")
+        steps = dict(re.findall(r"([a-z_]+) (\d+\.\d{3})", passes.partition(":")[2]))
+        ran = [name for name, each in jktools.open_compiled("out/one.jklb").passes.items() if each["ran"]]
+        assert {"read", "write", "visibility", *ran} <= set(steps)
+        assert "motion" not in steps
+        whole = float(passes.strip().partition(" s: ")[0])
+        assert whole == pytest.approx(sum(map(float, steps.values())), abs=0.02)
+    assert (here / "plain/one.jklb").read_bytes() != (here / "out/one.jklb").read_bytes()
+
+
 def test_the_step_of_the_grid_is_printed(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["build", "rooms.jkl", "-o", "out", "--accuracy", "fast"]) == 0
     assert "bytes, vertices in steps of 1/16384 JKU)" in capsys.readouterr().out

@@ -10,6 +10,7 @@ import pytest
 
 import jktools
 from jktools.cli import main
+from jktools.facts.hotspots import frequency
 from tests.support.levels import ROOT, gob_of, two_rooms
 from tests.support.scripts import corpus_scripts
 
@@ -236,13 +237,40 @@ def lamp_level(folder: Path) -> tuple[Path, Path]:
 def test_a_level_brings_the_costs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     script, level = lamp_level(tmp_path)
     assert main(["cog", str(script), "--level", str(level)]) == 0
+    shown = capsys.readouterr()
+    assert shown.err == (
+        f"jktools: note: {level}: what these may send is not counted, since they are not at hand (--base): "
+        "door.cog, items.dat, static.jkl\n"
+    )
     # 10 pulses a second; the player is in the lamp's room (6 surfaces) or in the other (12 on the way).
-    assert capsys.readouterr().out.splitlines()[-3:] == [
+    assert shown.out.splitlines()[-3:] == [
         "  costs of sight (1):",
         "    haslos, line 10, class cog lamp.cog on 1 thing: at most 10 times a second; "
         "9 surfaces in 1.5 sectors on the mean, 12 in 2 at most",
         "      test less often, or test the distance first",
     ]
+
+
+@pytest.mark.parametrize(("calls", "more", "causes", "words"), [
+    (4.0, False, (), "at most 4 times a second"),
+    (1.0, False, (), "at most 1 time a second"),
+    (None, False, (), "any number of times a second"),
+    (0.0, False, (), "not after the start"),
+    (0.0, True, (), "how often is not known"),
+    (2.5, True, (), "at most 2.5 times a second, more often by what is not known"),
+    (0.0, False, ("touched",), "after each touched"),
+    (3.0, False, ("a", "b", "c", "d", "e"), "at most 3 times a second, after each a, b, c and 2 more"),
+])  # fmt: skip
+def test_how_often_is_said_as_a_bound(calls: float | None, more: bool, causes: tuple[str, ...], words: str) -> None:
+    assert frequency(calls, more, causes) == words
+
+
+def test_a_loop_that_sleeps_is_told_by_the_second(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    script = tmp_path / "x.cog"
+    loop = 'while (1) { if (HasLOS(0, 1) == 1) Print("x"); Sleep(0.25); }'
+    script.write_text(f"symbols\nmessage startup\nend\ncode\nstartup: {loop} return;\nend\n")
+    assert main(["cog", str(script)]) == 0
+    assert "sight (ray): at most 1 a run of startup and 4 a second" in capsys.readouterr().out
 
 
 def test_the_costs_as_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

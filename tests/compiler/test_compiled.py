@@ -4,6 +4,7 @@ import hashlib
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from hypothesis import strategies as st
 from jktools.compiler import CompiledFileError, CompiledLevel, CompileError, compile_level, open_compiled
 from jktools.compiler.columns import SECTIONS, STRINGS
 from jktools.facts import LevelFacts
+from jktools.model import Level
 from tests.support.levels import ROOT, TWO_ROOMS, level_of, two_rooms
 
 COMPILED = compile_level(level_of(TWO_ROOMS))
@@ -231,3 +233,13 @@ def test_parameters_that_a_value_tells_are_not_repeated() -> None:
         for k, v in zip(templates.unused_key[rows], templates.unused_value[rows], strict=True)
     ]
     assert unused == [("size", ".5"), ("colour", "red"), ("surfdrag", "3")]
+
+
+def test_a_column_of_nothing_is_read_before_the_one_that_counts_it() -> None:
+    """`surface_material` stands before `surface_flags` in the file."""
+    level = level_of(TWO_ROOMS)
+    surfaces = level.document.surfaces
+    bare = replace(level.document, surfaces=replace(surfaces, material=np.full_like(surfaces.material, -1)))
+    compiled = CompiledLevel(compile_level(Level(bare)))
+    assert not compiled.geometry.stored["surface_material"].in_file
+    assert compiled.surface_material.tolist() == [-1] * 12

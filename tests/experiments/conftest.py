@@ -26,7 +26,7 @@ def compiled(tmp_path_factory: pytest.TempPathFactory) -> Compile:
     def build(*options: str) -> Experiment:
         path = tmp_path_factory.mktemp("smithdev") / "smithdev.jklb"
         command = [Path(sys.executable).parent / "jktools", "build", GOB, "-o", path, "--config", "none", *options]
-        subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, timeout=600)
+        subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, timeout=900)
         return Experiment(path, open_compiled(path, verify=True))
 
     return build

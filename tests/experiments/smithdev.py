@@ -30,23 +30,23 @@ PLAYER = 10
 class Experiment:
     """A compiled smithdev; names are `chamber/name`, those of surfaces `chamber/sector.face`."""
 
-    def __init__(self, path: Path, level: CompiledLevel) -> None:
-        """Take an opened file."""
-        self.path, self.level = path, level
+    def __init__(self, path: Path, level: CompiledLevel, handles: dict[str, Any] = HANDLE) -> None:
+        """Take an opened file and its handles."""
+        self.path, self.level, self.handles = path, level, handles
 
     def sector(self, name: str) -> int:
         """A sector's number."""
-        return _held("sectors", name)
+        return self._held("sectors", name)
 
     def surfaces(self, name: str) -> list[int]:
         """The surfaces that a face or an opening consists of."""
         chamber, _, own = name.partition("/")
-        found: list[int] = HANDLE[chamber]["surfaces"][own]
+        found: list[int] = self.handles[chamber]["surfaces"][own]
         return found
 
     def thing(self, name: str) -> int:
         """A thing's position in its section, which is its number too."""
-        return _held("things", name)
+        return self._held("things", name)
 
     def look(self, name: str) -> list[float]:
         """Where a thing looks, by its yaw: a unit vector."""
@@ -57,11 +57,11 @@ class Experiment:
 
     def cog(self, name: str) -> int:
         """A placed script's number."""
-        return _held("cogs", name)
+        return self._held("cogs", name)
 
     def about(self, chamber: str) -> Any:
         """What a chamber says of itself."""
-        return HANDLE[chamber]["about"]
+        return self.handles[chamber]["about"]
 
     @cached_property
     def _template_rows(self) -> dict[str, int]:
@@ -118,7 +118,6 @@ class Experiment:
         rows = rows[held.surface[rows] == surface]
         return rows if below is None else rows[held.below[rows] == below]
 
-
-def _held(kind: str, name: str) -> int:
-    chamber, _, own = name.partition("/")
-    return int(HANDLE[chamber][kind][own])
+    def _held(self, kind: str, name: str) -> int:
+        chamber, _, own = name.partition("/")
+        return int(self.handles[chamber][kind][own])

@@ -113,19 +113,37 @@ def test_below_the_movesize_the_offset_does_not_count(compiled: Compile, offset:
     assert limits == [0.13, 0.1349]
 
 
+TOLD_APART = [
+    ("0.120114", "0.1851", "0.1852"), ("0.01", "0.13", "0.1301"), ("0.06", "0.13", "0.1301"),
+    ("0.2", "0.265", "0.2651"), ("0.4", "0.465", "0.4651"),
+]  # fmt: skip
+"""Insert offset and two depths 0.0001 JKU apart, of which one is seamless by `research` and the next is not."""
+
+
 @pytest.mark.parametrize("accuracy", ["balanced", "exact"])
 def test_pits_a_ten_thousandth_apart_are_told_apart(compiled: Compile, accuracy: str) -> None:
-    level = compiled("--accuracy", accuracy, "--only", "ledges")
-    verdicts = {(p["insert_offset"], p["depth"]): seamless(level, p) for p in PITS}
+    level = compiled("--accuracy", accuracy)
+    assert level.level.settings["accuracy"] == accuracy
+    assert told_apart(level) == TOLD_APART
+
+
+def test_the_fast_tier_rounds_such_pits_together(compiled: Compile) -> None:
+    """`fast` puts all vertices on one grid, whose step is wider than 0.0001: it still tells 0.13 from 0.2."""
+    level = compiled("--accuracy", "fast")
+    verdicts = {p["depth"]: seamless(level, p) for p in PITS if p["insert_offset"] == "0.120114"}
+    assert (verdicts["0.11"], verdicts["0.13"], verdicts["0.2"]) == (True, True, False)
+    assert told_apart(level) == []
+
+
+def told_apart(level: Experiment) -> list[tuple[str, str, str]]:
+    """The neighbours in depth that get different verdicts."""
+    verdicts = {(p["insert_offset"], p["depth"]): seamless(level, p) for p in level.about("pit_rows")["pits"]}
     told = []
     for (offset, depth), verdict in verdicts.items():
         deeper = f"{round(float(depth) + 1e-4, 4)}"
         if (offset, deeper) in verdicts and verdict is not verdicts[offset, deeper]:
             told.append((offset, depth, deeper))
-    assert told == [
-        ("0.120114", "0.1851", "0.1852"), ("0.01", "0.13", "0.1301"), ("0.06", "0.13", "0.1301"),
-        ("0.2", "0.265", "0.2651"), ("0.4", "0.465", "0.4651"),
-    ]  # fmt: skip
+    return told
 
 
 # ---- what a body does that is walked over them

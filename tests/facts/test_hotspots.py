@@ -334,6 +334,42 @@ def test_messages_to_a_cog_that_is_not_known_are_told(target: str) -> None:
     assert [h.more for h in two_scripts([line.replace("user0", "user1") for line in tick], ASKED)] == [False]
 
 
+def test_what_is_not_known_is_passed_on() -> None:
+    """The first script is woken by a message to nobody knows whom, and what it asks of the second is open too."""
+    open_ = ["startup: SetPulse(1); return;", "pulse: SendMessage(GetMasterCog(), user1); return;"]
+    ask = ["user1: SendMessage(other, user0); return;"]
+    (found,) = two_scripts([*open_, *ask], ASKED)
+    assert found.more
+    # A pulse that it sets comes once an interval all the same.
+    paced = ["user1: SetPulse(0.5); return;", "pulse: SendMessage(other, user0); SendMessage(GetMasterCog(), user1);",
+             "return;"]  # fmt: skip
+    (bounded,) = two_scripts(paced, ASKED)
+    assert (bounded.more, bounded.calls_per_second) == (False, 2)
+
+
+def test_a_list_of_things_in_view_that_others_can_begin_anew_is_told() -> None:
+    def more(*others: str) -> bool:
+        walking = walk("if (HasLOS(turret, victim) == 1) DamageThing(victim, 1, 1, turret);")
+        at = walking.index("end") + 2
+        script = [*walking[:1], "message damaged", *walking[1:at], *others, *walking[at:]]
+        return next(h.more for h in guarded(3, *script) if h.site.verb.name == "haslos")
+
+    assert not more()
+    assert not more('damaged: Print("ow"); return;')
+    assert more("damaged: FirstThingInView(turret, 90, 10, 0x404); return;")
+
+
+def test_what_a_class_cog_captures_sends_it_pulses() -> None:
+    lines = ["symbols", "message created", "message pulse", "end", "code",
+             "created: CaptureThing(40); SetThingPulse(40, 0.5); return;",
+             'pulse: if (HasLOS(GetSenderRef(), GetLocalPlayerThing()) == 1) Print("x"); return;', "end"]  # fmt: skip
+    (found,) = hotspots(*class_cog(lines, *things(1), "40: walkplayer walkplayer .2 .5 .5 0 0 0 0"))
+    assert (found.calls_per_second, found.more) == (2, False)
+    anything = [line.replace("CaptureThing(40)", "CaptureThing(GetSourceRef())") for line in lines]
+    (found,) = hotspots(*class_cog(anything, *things(1), "40: walkplayer walkplayer .2 .5 .5 0 0 0 0"))
+    assert found.more
+
+
 def test_what_the_player_causes_is_named() -> None:
     ask = ["activated: SendMessage(other, user0); return;"]
     (found,) = two_scripts(ask, ASKED)

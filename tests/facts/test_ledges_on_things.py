@@ -40,6 +40,7 @@ def with_box(
     files = [f"== 3do/{name}.3do", *box(*size)]
     lines = [*PIT, kind, "World things 3", f"2: lift crate {place} 1{more}"]
     lines = ["World templates 4" if line == "World templates 3" else line for line in lines]
+    lines = [line + " maxthrust=2 surfdrag=3 maxvel=1" if line.startswith("walkplayer") else line for line in lines]
     with level_with_files(*lines, *files) as level:
         yield level
 
@@ -59,7 +60,7 @@ def ledges(level: Level, accuracy: str = "balanced") -> Ledges:
 @pytest.mark.parametrize(
     ("height", "kind"),
     [
-        (0.0, Kind.LEVEL), (-0.1, Kind.SEAMLESS), (-0.3, Kind.FALL), (0.05, Kind.STEP), (0.1, Kind.LIP),
+        (0.0, Kind.LEVEL), (-0.1, Kind.SEAMLESS), (-0.3, Kind.FALL), (0.05, Kind.STEP), (0.065, Kind.LIP), (0.1, Kind.JUMP),
         (0.3, Kind.JUMP), (0.5, Kind.WALL),
     ],
 )  # fmt: skip

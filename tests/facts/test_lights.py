@@ -32,6 +32,13 @@ def test_what_moves_or_does_not_shine_is_no_still_light() -> None:
     assert lit("lamp none type=cog light=1 move=path", line) == {}
 
 
+@pytest.mark.parametrize(("flags", "shines"), [
+    ("thingflags=0x401", True), ("thingflags=0x400", False), ("thingflags=0x11", False), ("thingflags=0x80001", False),
+])  # fmt: skip
+def test_flags_can_put_a_light_out(flags: str, shines: bool) -> None:
+    assert bool(lit(f"lamp none type=cog light=1 {flags}", "2: lamp lamp 0 0 0 0 0 0 0")) is shines
+
+
 def test_a_thing_can_have_its_own_light() -> None:
     assert len(lit("lamp none type=cog light=1", "2: lamp lamp 0 0 0 0 0 0 0 light=.5")) == 1
 

@@ -210,3 +210,21 @@ def test_things_of_real_levels_lie_in_the_sectors_that_they_name() -> None:
     mesh = SectorMesh.from_level(level)
     agree = mesh.locate(table.position) == table.sector
     assert agree.mean() > 0.9
+
+
+def test_locate_in_a_sector_that_is_not_convex() -> None:
+    """A prism over an L: what lies on a face is on it, though it lies behind the planes of others."""
+    corners = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+    n = len(corners)
+    positions = [(x, y, z) for z in (0, 1) for x, y in corners]
+    walls = [(i, n + i, n + (i + 1) % n, (i + 1) % n) for i in range(n)]
+    surfaces = [tuple(range(n)), tuple(range(2 * n - 1, n - 1, -1)), *walls]
+    start = np.cumsum([0, *map(len, surfaces)])
+    mesh = SectorMesh.from_arrays(
+        positions, start, np.concatenate(surfaces), [BLOCKS] * len(surfaces), [0], [len(surfaces)]
+    )
+    faces = [(1.5, 1, 0.5), (1.5, 0.5, 0), (1, 1.5, 0.25), (0.5, 1.75, 1), (1, 1, 0.5), (2, 1, 1)]
+    found = mesh.location([*faces, (0.5, 1.5, 0.5), (1.5, 0.5, 0.5), (1.5, 1.5, 0.5), (1.5, 1.5, 0)])
+    assert found.sector.tolist() == [0] * len(faces) + [0, 0, -1, -1]
+    assert found.touching.tolist() == [1] * len(faces) + [0] * 4
+    assert found.inside.tolist() == [0] * len(faces) + [1, 1, 0, 0]

@@ -83,6 +83,9 @@ def test_a_long_tread_between_steps_is_no_stair_that_makes_fall() -> None:
 def test_the_message_names_both_sides() -> None:
     (found,) = lint(pit(), [find_rule("JK701")])  # the jump: 1.5^2 / 8, and 0.055 below the sphere
     assert found.message == (
-        "surface 6 (sector 1, surface 0) lies 0.6 to 0.6 JKU below the floors that lead in, but walkplayer gets up "
+        "surface 6 (sector 1, surface 0) lies 0.6 JKU below the floors that lead in, but a jump takes walkplayer up "
         "0.3362 JKU"
     )
+    uneven = [line.replace("13: 1 1 -.6", "13: 1 1 -.7") for line in PIT]
+    (found,) = lint(level_of(two_rooms(*uneven)), [find_rule("JK701")])
+    assert " lies 0.6 to 0.7 JKU below " in found.message

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from jktools.diagnostics import Diagnostic
 from jktools.linter import find_rule, lint
-from tests.support.levels import level_with_files
+from jktools.session import load
+from tests.support.levels import level_with_files, two_rooms
 from tests.support.lint import findings, marked, messages
 
 
@@ -276,6 +279,68 @@ def test_the_budget_can_be_set(budget: float, told: int) -> None:
             "class cog lamp.cog on 1 thing asks for sight up to 10 times a second, which tests some 90 surfaces, but "
             "the budget is 89"
         )
+
+
+SEEN = 'if (HasLOS(GetSenderRef(), GetLocalPlayerThing()) == 1) Print("x");'
+
+
+@pytest.mark.parametrize(("body", "told"), [
+    ("created: SetThingTimer(GetSenderRef(), 0.01); return;"
+     f"timer: {SEEN} SetThingTimer(GetSenderRef(), 0.01); return;", "0.01"),
+    ("created: SetThingTimer(GetSenderRef(), 0.02); return;"
+     f"timer: {SEEN} SetThingTimer(GetSenderRef(), 0.02); return;", None),
+    (f"created: SetThingTimer(GetSenderRef(), 0.01); return; timer: {SEEN} return;", None),
+    (f"created: SetThingPulse(GetSenderRef(), 0.01); return; pulse: {SEEN} return;", "0.01"),
+    (f"created: SetThingPulse(GetSenderRef(), 0.01); return; pulse: {SEEN} SetThingPulse(GetSenderRef(), 0); return;",
+     None),
+    (f"startup: SetPulse(0.01); return; pulse: {SEEN} SetPulse(0); return;", None),
+    # Below 0 a thing's pulse comes every frame; a script's is off. SetTimerEx takes 0 for the next frame.
+    (f"created: SetThingPulse(GetSenderRef(), -1); return; pulse: {SEEN} return;", "0"),
+    (f"startup: SetPulse(-1); return; pulse: {SEEN} return;", None),
+    (f"startup: SetTimerEx(0, 1, 0, 0); return; timer: {SEEN} SetTimerEx(0, 1, 0, 0); return;", "0"),
+    (f"startup: SetTimerEx(0, 1, 0, 0); return; timer: {SEEN} return;", None),
+    (f"startup: SetPulse(Rand()); return; pulse: {SEEN} return;", None),
+    (f"startup: while (1) {{ {SEEN} Sleep(0.01); }} return;", "0.01"),
+    (f"startup: while (1) {{ {SEEN} Sleep(0.01); Sleep(0.01); }} return;", None),
+    (f"startup: while (1) {{ {SEEN} call nap; }} return; nap: Sleep(0.005); Sleep(0.01); return;", "0.015"),
+    (f"startup: while (1) {{ {SEEN} Sleep(0); }} return;", None),
+    (f"startup: while (1) {{ {SEEN} Sleep(Rand()); }} return;", None),
+])  # fmt: skip
+def test_looks_in_every_frame(body: str, told: str | None) -> None:
+    messages_ = [f"message {name}" for name in ("startup", "created", "pulse", "timer")]
+    script = [*LAMP[: LAMP.index("symbols") + 1], *messages_, "end", "code", body, "end"]
+    with level_with_files(*script) as level:
+        found = lint(level, [find_rule("JK660")])
+    expected = f"class cog lamp.cog on 1 thing tests sight every {told} s, but a frame takes 0.02 s"
+    assert [d.message for d in found] == ([] if told is None else [expected])
+
+
+def test_a_costly_loop_that_the_player_starts_is_over_the_budget_only_if_it_never_ends() -> None:
+    """Of one that may end, nobody knows how often it turns."""
+    rule = find_rule("JK650")
+
+    def found(condition: str) -> list[str]:
+        body = f"created: while ({condition}) {{ {SEEN} }} return;"
+        with level_with_files(*LAMP[: LAMP.index("code") + 1], body, "end") as level:
+            return [d.message for d in lint(level, [rule])]
+
+    assert found("Rand() < 0.5") == []
+    assert found("1") == [
+        "class cog lamp.cog on 1 thing asks for sight any number of times a second, which tests any number of "
+        "surfaces, but the budget is 20000"
+    ]
+
+
+def test_costs_of_scripts_that_the_mod_does_not_bring_are_not_its_fault(tmp_path: Path) -> None:
+    script = "\n".join([*LAMP[LAMP.index("symbols") :], ""]).replace("0.1", "0.0001")
+    for place in ("mod/jkl", "mod/cog", "game/cog", "game/jkl"):
+        (tmp_path / place).mkdir(parents=True)
+    (tmp_path / "mod/jkl/rooms.jkl").write_text(two_rooms(*LAMP[: LAMP.index("== cog/lamp.cog")]))
+    rule = find_rule("JK660")
+    for home, told in (("game", 0), ("mod", 1)):
+        (tmp_path / home / "cog/lamp.cog").write_text(script)
+        level = load(str(tmp_path / "mod/jkl/rooms.jkl"), base=[str(tmp_path / "game")])
+        assert len(lint(level, [rule])) == told
 
 
 def test_items_out_of_reach_are_named_once_for_each_part() -> None:

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.runtime.compiler import PLAIN, SANITIZED, built, compiler
+from tests.runtime.compiler import PLAIN, built, compiler
 
 
 @pytest.fixture(scope="session")
@@ -19,9 +19,3 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def jklb_query(programs: Path) -> Path:
     """The sample program."""
     return built("runtime/sample/jklb_query.cpp", programs / "jklb_query", PLAIN)
-
-
-@pytest.fixture(scope="session")
-def damage(programs: Path) -> Path:
-    """What opens damaged files, with the sanitizers."""
-    return built("tests/runtime/damage.cpp", programs / "damage", SANITIZED)

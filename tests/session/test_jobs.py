@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Future
+from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
+from typing import Any
+
+import pytest
 
 from jktools.compiler import CompileSettings
-from jktools.session import Settings, build_all
+from jktools.session import Settings, batch, build_all
 from jktools.source import InputError
 from tests.support.levels import TWO_ROOMS, gob_of, two_rooms
 from tests.support.packs import write
@@ -55,3 +60,38 @@ def test_what_cannot_be_written_is_told_by_any_number_of_jobs(tmp_path: Path) ->
         except InputError as error:
             messages.append([str(error)])
     assert messages[0] == messages[1] != []
+
+
+class BreakingPool:
+    """In place of a pool of processes, in this one: what is `deadly` ends it, and all that waits with it."""
+
+    deadly = ("b",)
+
+    def __init__(self, jobs: int, context: object, initializer: Any, arguments: tuple[Any, ...]) -> None:
+        self.broken = False
+        initializer(*arguments)
+
+    def __enter__(self) -> BreakingPool:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        pass
+
+    def submit(self, work: Any, number: int, target: Path) -> Future[Any]:
+        future: Future[Any] = Future()
+        self.broken |= target.stem in self.deadly
+        if self.broken:
+            future.set_exception(BrokenProcessPool())
+        else:
+            future.set_result(work(number, target))
+        return future
+
+
+def test_a_process_that_ends_loses_no_other_level(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in "abcd":
+        (tmp_path / f"{name}.jkl").write_text(TWO_ROOMS)
+    monkeypatch.setattr(batch, "ProcessPoolExecutor", BreakingPool)
+    built = build_all([str(tmp_path)], tmp_path / "out", jobs=2)
+    assert [Path(target).stem for _, target, _ in built.written] == ["a", "c", "d"]
+    (bug,) = built.bugs
+    assert "b.jkl: the process that compiles it ended" in bug

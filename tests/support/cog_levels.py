@@ -54,7 +54,8 @@ class LevelWriter:
         pick = self.random
         handled = [m for m in MESSAGES if pick.random() < 0.6]
         flags = "flags=0x44\n" if pick.random() < 0.05 else ""
-        head = flags + "symbols\n" + "".join(f"message {m}\n" for m in handled) + SYMBOLS + "end\ncode\n"
+        symbols = SYMBOLS.replace("b nolink", "b mask=0x405") if pick.random() < 0.3 else SYMBOLS
+        head = flags + "symbols\n" + "".join(f"message {m}\n" for m in handled) + symbols + "end\ncode\n"
         labels = [m for m in LABELS if m in handled or m in ("look", "nap")]
         pick.shuffle(labels)
         parts = [
@@ -65,23 +66,27 @@ class LevelWriter:
     def opening(self, label: str) -> str:
         """What gives some handlers a plain meaning, so that not everything is chance."""
         roll = self.random.random()
+        if label in ("user0", "user1", "activated", "touched") and roll > 0.9:
+            return "seen = FirstThingInView(a, 90, 5, 0xffff);"
         self.may_send = self.random.random() < (0.1 if label in SENT or label == "trigger" else 0.8)
         if label in ("startup", "created", "activated") and roll < 0.6:
             target = "GetSenderRef()" if label == "created" else "a"
             return self.random.choice([
                 f"SetPulse({self.time()});", f"SetThingPulse({target}, {self.time()});", f"SetTimer({self.time()});",
                 f"SetTimerEx({self.time()}, 1, 2, 3);", f"SetThingTimer({target}, {self.time()});",
+                f"CaptureThing(b); SetThingPulse(b, {self.time()});",
             ])  # fmt: skip
         if label == "pulse" and roll < 0.4:
             return self.random.choice([
                 "SetPulse(0);", "SetThingPulse(GetSenderRef(), 0);", "kept = GetSenderRef(); SetThingPulse(kept, 0);",
-                "if (Rand() < 0.5) SetPulse(0);",
+                "if (Rand() < 0.5) SetPulse(0);", "Sleep(0.25); SetPulse(0);",
             ])  # fmt: skip
         if label == "timer" and roll < 0.5:
             return self.random.choice([
                 f"SetTimer({self.time()});", f"SetTimerEx({self.time()}, 1, 2, 3);",
                 f"if (Rand() < 0.5) SetTimerEx({self.time()}, 1, 0, 0); else SetTimerEx(1.0, 1, 0, 0);",
                 f"SetThingTimer(GetSenderRef(), {self.time()});",
+                f"SetTimerEx({self.time()}, 1, 2, 3); SetTimerEx({self.time()}, 1, 2, 3);",
             ])  # fmt: skip
         if label == "nap":
             return self.random.choice(
@@ -139,5 +144,5 @@ class LevelWriter:
                 "if (Rand() < 0.9) Sleep(0.2); else Sleep(0.4);",
             ]
         )
-        often = pick.choice(["0.7", "0.7", "0.9", "2"]) if "call" not in pause else "0.5"
+        often = pick.choice(["0.7", "0.7", "0.9", "2"]) if "call" not in pause else pick.choice(["0.5", "0.5", "0.97"])
         return f"while (Rand() < {often}) {{ {self.body(depth - 1)} {pause} }}"

@@ -210,7 +210,8 @@ class Network:
                 clock.set_by.append(Sending(sender, site))
         to_come = self._reaches_things_to_come(sender.runner, site)
         for node in hearing:
-            if (not known and (node.runner.links or node.runner.more)) or (to_come and node.runner is sender.runner):
+            unsure = not known and (node.runner.links or node.runner.more)
+            if unsure or node.runner.captures or (to_come and node.runner is sender.runner):
                 self._reached(node).open = True
 
     def _reaches_things_to_come(self, runner: Runner, site: Site) -> bool:

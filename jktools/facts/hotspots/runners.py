@@ -49,6 +49,8 @@ class Runner:
     """The one that the level places; None for a class COG and for one of the game's own."""
     more: bool = False
     """Whether it can get messages from things that are not known: how many play creates, or which it captures."""
+    captures: bool = False
+    """Whether it captures things that are not known."""
     links: Mapping[int, int] = field(default_factory=dict)
     """By number of a thing: how often each of its messages comes."""
     number: int = -1
@@ -114,7 +116,9 @@ def _placed(instance: InstanceFacts, script: ScriptFacts, analysis: Analysis, by
     present = {number: count for number, count in links.items() if number in by_number}
     things = tuple(by_number[number] for number in present)
     name = instance.cog.name.lower()
-    return Runner(name, script, analysis, things, instance.cog, not known, present, instance.number)
+    return Runner(
+        name, script, analysis, things, instance.cog, not known, not known, present, instance.number
+    )  # fmt: skip
 
 
 def _class_cog(name: str, script_of: ScriptOf, things: Sequence[Thing] = ()) -> Runner | None:
@@ -125,7 +129,7 @@ def _class_cog(name: str, script_of: ScriptOf, things: Sequence[Thing] = ()) -> 
     captured, known = _captured(analysis)
     links = Counter(thing.number for thing in things)
     links.update(captured)
-    return Runner(name, script, analysis, tuple(things), more=not known, links=links)
+    return Runner(name, script, analysis, tuple(things), more=not known, captures=not known, links=links)
 
 
 def _linked(instance: InstanceFacts) -> Iterator[int]:
@@ -227,10 +231,8 @@ def game_runners(level: Level, script_of: ScriptOf) -> list[Runner]:
             placed = InstanceFacts(values[position], script, number)
             if placed.analysis is not None:
                 captured, known = _captured(placed.analysis)
-                links = Counter(captured)
-                found.append(
-                    Runner(name, script, placed.analysis, (), more=not known, links=links, number=number, of=of)
-                )
+                runner = Runner(name, script, placed.analysis, (), number=number, of=of, links=Counter(captured))
+                found.append(replace(runner, more=not known, captures=not known))
             number += 1
         else:
             item = _class_cog(name, script_of)

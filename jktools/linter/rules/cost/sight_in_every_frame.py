@@ -1,4 +1,4 @@
-"""JK660: a test of sight in a pulse or timer that is shorter than a frame."""
+"""JK660: a test of sight in a pulse, timer or sleeping loop that is shorter than a frame."""
 
 from __future__ import annotations
 
@@ -12,15 +12,17 @@ from jktools.linter.rules.behaviour.pulse_shorter_than_frame import SHORTEST, ou
 from jktools.model import Level
 
 
-@rule("JK660", "sight-in-every-frame", severity=Severity.WARNING, since="0.1.0", on=False)
+@rule("JK660", "sight-in-every-frame", severity=Severity.WARNING, since="0.1.0")
 def sight_in_every_frame(level: Level, facts: LevelFacts) -> Iterator[Finding]:
-    """Report a test of sight in a pulse or timer that is to come more often than the game draws frames.
+    """Report a test of sight in a pulse, a timer or a loop that is to come more often than the game draws frames.
 
     ## Why it matters
     The test then runs in every frame, 50 times a second and more on a fast machine: what it costs grows with the
     player's frame rate. Eyes are slower: twice a second is enough for most of what a script does with the answer.
 
-    The rule is off: a pulse that turns itself off counts as lasting.
+    Counted are pulses, timers that are set again, and loops that sleep, as long as they last: a pulse that each run of
+    its handler turns off is left out, one that is turned off on a condition is not. That a pulse is shorter than a
+    frame is a fault in itself (JK601, JK658): this rule says that sight is tested there.
 
     ## Bad
         World templates 4
@@ -67,7 +69,7 @@ def sight_in_every_frame(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         end
     """
     for spot in ours(facts):
-        if spot.pulse > 0 and outruns_frames(spot.pulse) and spot.lasts:
+        if outruns_frames(spot.pulse) and spot.lasts:
             yield Finding(
                 place_of(spot.runner),
                 f"{spot.runner.title} tests sight every {spot.pulse:.6g} s, but a frame takes {SHORTEST} s",

@@ -11,7 +11,7 @@ from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK659", "sight-outcome-known", severity=Severity.WARNING, since="0.1.0", on=False)
+@rule("JK659", "sight-outcome-known", severity=Severity.WARNING, since="0.1.0")
 def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a call of `HasLOS` that always finds the same, since nothing that it depends on can change.
 

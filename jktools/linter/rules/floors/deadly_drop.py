@@ -14,6 +14,9 @@ from jktools.facts.ledges import Kind
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
+SHORTEST = 0.05
+"""JKU: shorter pieces of an edge are not what bodies fall from."""
+
 
 @rule("JK707", "deadly-drop", severity=Severity.INFO, since="0.2.0", on=False)
 def deadly_drop(level: Level, facts: LevelFacts) -> Iterator[Finding]:
@@ -63,7 +66,8 @@ def deadly_drop(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         deadly = ledges.walker.deadly_drop()
         flags = np.append(level.document.surfaces.flags, 0)[ledges.below]
         hard = (flags & SurfaceFlag.NO_FALL_DAMAGE) == 0
-        kills = ledges.of_level & (ledges.kind == Kind.FALL) & hard & (ledges.deepest >= deadly)
+        wide = ~ledges.narrow & (ledges.length >= SHORTEST)
+        kills = ledges.of_level & wide & (ledges.kind == Kind.FALL) & hard & (ledges.deepest >= deadly)
         for index in sorted(set(ledges.surface[kills].tolist())):
             rows = np.flatnonzero(kills & (ledges.surface == index))
             surface = level.surfaces[index]

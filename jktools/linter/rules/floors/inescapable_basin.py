@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
+from jktools.facts.basins import Basin
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -65,9 +66,15 @@ def inescapable_basin(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             rims = dict.fromkeys(int(ledges.surface[row]) for row in basin.rows if ledges.of_level[row])
             yield Finding(
                 Label(first.head_span),
-                f"{first.title}{more} lies {basin.shallowest:.4g} to {basin.deepest:.4g} JKU below the floors that "
-                f"lead in, but {ledges.walker.title} gets up {jump:.4g} JKU",
+                f"{first.title}{more} {'lie' if more else 'lies'} {_depths(basin)} JKU below the floors that lead in, "
+                f"but a jump takes {ledges.walker.title} up {jump:.4g} JKU",
                 "add steps or a lift, or make it deadly",
                 first.subject,
                 tuple(Label(level.surfaces[rim].head_span, f"surface {rim} leads in") for rim in list(rims)[:4]),
             )
+
+
+def _depths(basin: Basin) -> str:
+    """The least and the greatest, or one where they read the same."""
+    least, greatest = f"{basin.shallowest:.4g}", f"{basin.deepest:.4g}"
+    return least if least == greatest else f"{least} to {greatest}"

@@ -61,10 +61,10 @@ def jump_only_step(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         walkplayer none type=player move=physics size=.065 height=.12 physflags=0x4a4f jumpspeed=1.5
     """
     for ledges in facts.player_ledges:
-        even = np.abs(ledges.drop_start - ledges.drop_end) <= EVEN
-        between = ledges.of_level & (ledges.below >= 0)
-        rises = between & (ledges.kind == Kind.JUMP) & even & (ledges.deepest < 0) & (ledges.length >= WIDTH)
         hover = ledges.walker.hover(ledges.engine)
+        even = ledges.spread() <= EVEN
+        between = ledges.of_level & (ledges.below >= 0)
+        rises = between & (ledges.kind == Kind.JUMP) & even & (ledges.deepest < -hover) & (ledges.length >= WIDTH)
         for row in np.flatnonzero(rises).tolist():
             surface = level.surfaces[int(ledges.surface[row])]
             yield Finding(

@@ -19,7 +19,7 @@ EVEN = 1e-3
 """JKU: a ledge whose drop changes by more along its edge passes the limit somewhere anyway."""
 
 
-@rule("JK703", "ledge-near-changeover", severity=Severity.INFO, since="0.2.0", on=False)
+@rule("JK703", "ledge-near-changeover", severity=Severity.INFO, since="0.2.0")
 def ledge_near_changeover(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report an edge whose drop is within 1 % of the greatest that a player takes without falling.
 
@@ -64,7 +64,7 @@ def ledge_near_changeover(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         walkplayer none type=player move=physics size=.065 height=.12 physflags=0x4a4f jumpspeed=1.5
     """
     for ledges in facts.player_ledges:
-        even = np.abs(ledges.drop_start - ledges.drop_end) <= EVEN
+        even = ledges.spread() <= EVEN
         taken = even & ledges.of_level & (ledges.below >= 0) & np.isin(ledges.kind, (Kind.SEAMLESS, Kind.FALL))
         limits = {each: ledges.walker.reattach(each) for each in Engine}
         near = np.any([np.abs(ledges.deepest - limit) <= NEAR * limit for limit in limits.values()], axis=0)

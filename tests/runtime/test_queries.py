@@ -1,0 +1,173 @@
+"""The sample program against Python: both answer from one compiled file, and every answer is equal, ties included."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from benchmarks.runtime_disagreement import QUESTIONS, asked_of
+from benchmarks.runtime_queries import ask, differing
+from jktools.compiler import CompiledLevel, CompileSettings, compile_level
+from jktools.facts.ledges import Kind
+from jktools.model import Level
+from tests.runtime.compiler import FLATBUFFERS
+from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
+
+SMITHDEV = (ROOT / "fixtures/smithdev/smithdev.jkl").read_bytes()
+CORPUS_LEVELS = ("masspack.gob!jkl/lagoon.jkl", "namekwaters.jkl", "treeofmight2.jkl")
+
+
+def fixtures() -> Iterator[tuple[str, Level]]:
+    yield "two rooms", level_of(TWO_ROOMS)
+    yield "a vertex beyond float32", level_of(two_rooms("World vertices 12", "11: 1e39 2 1"))
+    yield "water", level_of(two_rooms("Sector 1", "FLAGS 0x2"))
+    yield "smithdev", level_of(SMITHDEV)
+
+
+def compiled_at(folder: Path, level: Level, accuracy: str = "balanced") -> tuple[Path, CompiledLevel]:
+    path = folder / "level.jklb"
+    path.write_bytes(compile_level(level, CompileSettings(accuracy=accuracy)))  # type: ignore[arg-type]
+    return path, CompiledLevel(path.read_bytes())
+
+
+def assert_equal(program: Path, path: Path, compiled: CompiledLevel, level: Level, count: int) -> None:
+    rng = np.random.default_rng(11)
+    for question in QUESTIONS:
+        for asked in asked_of(question, level, compiled, count, rng, 1):
+            found, _ = ask(program, path, asked.queries)
+            wrong = differing(asked.answers, found)
+            assert not len(wrong), (question, asked.queries[wrong[0]], asked.answers[wrong[0]], found[wrong[0]])
+
+
+@pytest.mark.parametrize(("name", "level"), list(fixtures()), ids=lambda x: x if isinstance(x, str) else "")
+@pytest.mark.parametrize("accuracy", ["balanced", "fast"])
+def test_every_answer_is_equal(name: str, level: Level, accuracy: str, jklb_query: Path, tmp_path: Path) -> None:
+    assert name
+    assert_equal(jklb_query, *compiled_at(tmp_path, level, accuracy), level, 6000)
+
+
+@pytest.mark.parametrize("name", CORPUS_LEVELS)
+def test_every_answer_is_equal_on_real_levels(name: str, corpus: Path, jklb_query: Path, tmp_path: Path) -> None:
+    level = level_of(dict(corpus_files())[name])
+    assert_equal(jklb_query, *compiled_at(tmp_path, level), level, 6000)
+
+
+def answers(program: Path, path: Path, lines: list[str]) -> list[str]:
+    done = subprocess.run([program, path, "-"], input="\n".join(lines), capture_output=True, text=True, check=False)
+    return done.stdout.split("\n")[:-1]
+
+
+def told(compiled: CompiledLevel, body: int, surface: int, corner: int, place: float | None = None) -> str:
+    """A ledge as jklb_query tells it."""
+    texts = []
+    for each in compiled.ledges_at(body, surface, corner, place):
+        text = f"{each.start:.9g} to {each.end:.9g} {Kind(each.kind).name.lower()}"
+        text += f", surface {each.below}" if each.below >= 0 else ""
+        text += f", {each.drop_start:.9g} to {each.drop_end:.9g} JKU down" if each.drop_start == each.drop_start else ""
+        texts.append(text)
+    return "; ".join(texts) or "level"
+
+
+def test_ledges_and_basins_are_those_of_the_file(jklb_query: Path, tmp_path: Path) -> None:
+    path, compiled = compiled_at(tmp_path, level_of(SMITHDEV))
+    assert compiled.ledges is not None
+    surfaces = len(compiled.surface_flags)
+    edges = [(0, s, c) for s in range(surfaces) for c in range(5)]
+    found = answers(jklb_query, path, [f"ledges {b} {s} {c}" for b, s, c in edges])
+    assert found == [told(compiled, *edge) for edge in edges]
+    listed = sum(0 if text == "level" else text.count(";") + 1 for text in found)
+    assert listed == len(compiled.ledges.surface) > 50, "each row is found once, at its own edge"
+    places = [0, 0.25, 0.5, 1]
+    found = answers(jklb_query, path, [f"ledges {b} {s} {c} {t}" for b, s, c in edges for t in places])
+    assert found == [told(compiled, *edge, t) for edge in edges for t in places]
+    (basin,) = compiled.basins_of(0)
+    assert answers(jklb_query, path, ["basins 0", "basins 1"]) == [
+        f"{len(basin.surfaces)} floors from surface {basin.surfaces[0]}, {basin.shallowest:.9g} to {basin.deepest:.9g} "
+        f"JKU deep, entered 0x{basin.entered:x}, left 0x{basin.left:x}",
+        "none",
+    ]
+
+
+def test_the_two_rooms_by_hand(jklb_query: Path, tmp_path: Path) -> None:
+    """Two unit cubes, 0 and 1, one behind the other along y, with an adjoin between; floors are surfaces 0 and 6."""
+    path, _ = compiled_at(tmp_path, level_of(TWO_ROOMS))
+    assert answers(
+        jklb_query, path,
+        [
+            "sight .5 .5 .5 0 .5 1.5 .5", "sight .5 .5 .5 ? .5 .5 -1", "sight .5 .5 .5 0 .5 .5 0",
+            "drop .5 .5 .5 0", "drop .5 .5 .5 0 .25", "locate .5 1 .5", "locate 9 9 9", "visible 0 1",
+            "locate 0x1p-1 .5 .5",
+        ],
+    ) == [
+        "visible through 2 sectors", "blocked by surface 0 after 1 sector", "visible through 1 sector",
+        "floor surface 0 in sector 0, 0.5 JKU down", "far in sector 0, 0.25 JKU down",
+        "sector 0, inside 0, on the boundary of 2", "in no sector", "may be visible",
+        "sector 0, inside 1, on the boundary of 0",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("arguments", "why"),
+    [
+        (["sight", "1"], "sight takes 7 words, not 1"),
+        (["drop", "1", "2", "3"], "drop takes 4 or more words, not 3"),
+        (["ask", "1"], "no question 'ask'; ask without one for help"),
+        (["locate", "1", "x", "2"], "'x' is no number"),
+        (["locate", "nan", "1", "2"], "a coordinate is not finite or 2^150 or more"),
+        (["drop", "1", "1", "1", "1.5"], "'1.5' is no index"),
+        (["drop", "1", "1", "1", "2"], "sector 2 does not exist: there are 2"),
+        (["drop", "9", "9", "9", "?"], "the point lies in no sector"),
+        (["drop", "1", "1", "1", "0", "-1"], "the limit is negative or not a number"),
+        (["ledges", "3", "0", "0"], "body 3 does not exist: there are 1"),
+        (["--binary", "nowhere", "out"], "cannot read nowhere"),
+    ],
+)
+def test_a_wrong_question_is_one_sentence(arguments: list[str], why: str, jklb_query: Path, tmp_path: Path) -> None:
+    path, _ = compiled_at(tmp_path, level_of(TWO_ROOMS))
+    done = subprocess.run([jklb_query, path, *arguments], capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", f"jklb_query: error: {why}\n")
+
+
+def test_what_cannot_be_asked_is_answered_as_unknown(jklb_query: Path, tmp_path: Path) -> None:
+    from benchmarks.runtime_queries import DROP, LOCATE, QUERY, SIGHT, VISIBLE  # noqa: PLC0415 (the record alone)
+
+    path, _ = compiled_at(tmp_path, level_of(TWO_ROOMS))
+    queries = np.zeros(7, QUERY)
+    queries["kind"] = [SIGHT, SIGHT, DROP, DROP, LOCATE, VISIBLE, 9]
+    queries["sector"] = [2, 0, -1, 0, 0, 2, 0]
+    queries["origin"][1] = np.nan
+    queries["target"][3, 0] = -1
+    queries["origin"][4] = 2.0**150
+    found, _ = ask(jklb_query, path, queries)
+    assert found[["first", "second", "third"]].tolist() == [
+        (0, 0, -1), (0, 0, -1), (5, -1, -1), (5, -1, 0), (-1, 0, 0), (0, 0, 0), (-1, -1, -1)
+    ]  # fmt: skip
+    assert np.isnan(found["distance"][2:4]).all()
+
+
+def test_the_summary_and_the_times(jklb_query: Path, tmp_path: Path) -> None:
+    path, _ = compiled_at(tmp_path, level_of(TWO_ROOMS))
+    done = subprocess.run([jklb_query, path], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith(f"{path}: compiled level, format 1.")
+    assert "12 vertices, 12 surfaces, 2 sectors, 2 adjoins, 2 things, 1 bodies" in done.stdout
+    timed = subprocess.run([jklb_query, path, "--time"], capture_output=True, text=True, check=True)
+    assert "ms to the first answer; median of 51" in timed.stdout
+
+
+@pytest.mark.skipif(not os.environ.get("JKTOOLS_FUZZ"), reason="compiles the sample once more")
+def test_cmake_builds_the_sample(programs: Path, tmp_path: Path) -> None:
+    assert programs
+    folder = tmp_path / "build"
+    configure = ["cmake", "-S", str(ROOT / "runtime/sample"), "-B", str(folder), f"-DFLATBUFFERS={FLATBUFFERS}"]
+    for command in (configure, ["cmake", "--build", str(folder)]):
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert (
+        "usage: jklb_query"
+        in subprocess.run([folder / "jklb_query", "--help"], capture_output=True, text=True, check=True).stdout
+    )
