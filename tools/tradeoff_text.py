@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from jktools.tradeoff import PASSES, TIERS
-from jktools.tradeoff.errors import length
+from jktools.tradeoff.errors import ROUNDING, length
 from jktools.tradeoff.write import duration
 
 Figures = dict[str, dict[str, Any]]
@@ -147,6 +147,7 @@ def _named(c: Corpus) -> dict[str, str]:
         file_bytes=_percent(sizes["build"][0] / sizes["build"][1]),
     )
     return found | {
+        "lost": f"{c.total('visibility', 'fast', 'missed_in_file'):,.0f}",
         "segments": f"{c.total('visibility', 'balanced', 'segments'):,.0f}",
         "widest": length(c.most("motion", "exact", "widest")),
         "build_longest": duration(c.figure("build", "balanced", "seconds", max)),
@@ -165,8 +166,10 @@ def _table(c: Corpus) -> Iterator[str]:
             late = c.left_out(name, tier)
             levels = f"{c.count(name, tier)}" + (f" ({late} took too long)" if late else "")
             size = c.figure(name, tier, "bytes")
+            ratio = c.ratio(name, tier, "balanced")
+            beside = "-" if math.isnan(ratio) else f"{ratio:.2f}" if ratio < 10 else f"{ratio:,.0f}"
             yield (
-                f"| {name} | {tier} | {levels} | {_times(c.ratio(name, tier, 'balanced'))} "
+                f"| {name} | {tier} | {levels} | {beside} "
                 f"| {c.figure(name, tier, 'memory', max) / 1e6:.1f} MB | {f'{size:,.0f}' if size else '-'} "
                 f"| {'-' if tier == 'exact' else _error(c, name, tier)} |"
             )
@@ -179,7 +182,7 @@ def _error(c: Corpus, name: str, tier: str) -> str:
         return f"{c.total(name, tier, key):,.0f}"
 
     def most(key: str) -> str:
-        return length(c.most(name, tier, key))
+        return _length(c.most(name, tier, key))
 
     match name:
         case "location" | "sight" | "drop":
@@ -227,7 +230,7 @@ def _seconds(held: dict[str, Any], tier: str) -> str:
     cell = held.get(tier, {})
     if "seconds" not in cell:
         return cell.get("not_measured", "not measured")
-    return f"{cell['seconds']:.0f}" if cell["seconds"] >= 9.95 else f"{cell['seconds']:.1g}"
+    return duration(cell["seconds"])
 
 
 def _wrapped(text: str) -> Iterator[str]:
@@ -247,6 +250,10 @@ def _wrapped(text: str) -> Iterator[str]:
             whole.append(line.strip())
 
 
+def _length(value: float) -> str:
+    return length(value) if value > ROUNDING else "0 JKU"
+
+
 def _times(ratio: float) -> str:
     if math.isnan(ratio):
         return "-"
@@ -258,4 +265,4 @@ def _count(value: float) -> str:
 
 
 def _percent(share: float) -> str:
-    return "0 %" if not share else f"{100 * share:.2g} %" if share < 0.1 else f"{100 * share:.0f} %"
+    return "0 %" if share < ROUNDING else f"{100 * share:.2g} %" if share < 0.1 else f"{100 * share:.0f} %"

@@ -122,6 +122,12 @@ def test_json_of_what_is_not_measured(capsys: pytest.CaptureFixture[str]) -> Non
         assert (cell["seconds"], cell["memory"], cell["bytes"], cell["error"]) == (None, None, None, None)
 
 
+def test_nothing_is_plotted_where_no_error_is_known(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["tradeoff", "rooms.jkl", "--passes", "sight", "--tiers", "fast", "--queries", "4", "-o", "a.png"]) == 0
+    assert "note: a.png is not written: there is no pass whose time and error are known" in capsys.readouterr().err
+    assert not (here / "a.png").exists()
+
+
 def test_options_choose(capsys: pytest.CaptureFixture[str]) -> None:
     words = ["tradeoff", "rooms.jkl", "--passes", "visibility, sight", "--tiers", "exact,fast", "--queries", "40"]
     assert main([*words, "--engine", "openjkdf2"]) == 0
