@@ -16,7 +16,7 @@ import pytest
 from jktools.facts import LevelFacts
 from jktools.facts.hotspots import Hotspot, Verdict
 from jktools.session import discover, load
-from tests.support.levels import CORPUS, level_with_files, two_rooms
+from tests.support.levels import CORPUS, ROOT, level_with_files, two_rooms
 from tests.support.scripts import corpus_scripts
 
 PLAYER = "0: walkplayer walkplayer .5 .5 .2 0 0 0 0"
@@ -473,15 +473,30 @@ def test_a_level_without_tests_of_sight_has_none() -> None:
     assert hotspots(*placed_cog("20 21", *looking('startup: Print("x"); return;'))) == []
 
 
+def asks(text: bytes) -> bool:
+    """Whether a script's text calls a verb of sight outside comments, by a search apart from the code under test."""
+    code = re.sub(r"(#|//).*", "", text.decode("latin-1"))
+    return re.search(r"\b(haslos|firstthinginview|firstthingincone)\s*\(", code, re.IGNORECASE) is not None
+
+
+def test_the_scripts_of_the_test_level_that_ask_for_sight_are_listed_and_no_others() -> None:
+    pack = str(ROOT / "fixtures/smithdev/smithdev.gob")
+    scripts = {m.name.rpartition("/")[2].lower(): bytes(m.read().data) for m in discover(pack, [], ("cog",))}
+    facts = LevelFacts(load(f"{pack}!jkl/smithdev.jkl"))
+    running = {runner.name for runner in facts.runners}
+    asking = {name for name, text in scripts.items() if asks(text) and name in running}
+    assert len(asking) >= 2
+    assert {spot.runner.name for spot in facts.hotspots} == asking
+    # 16 lamps, each with a pulse of 0.05 s.
+    (lamps,) = [spot for spot in facts.hotspots if spot.runner.name == "sd_swinglamp.cog"]
+    assert lamps.calls_per_second == pytest.approx(16 * 20)
+
+
 def test_scripts_of_the_corpus_that_ask_for_sight_are_listed_and_no_others() -> None:
     """Against a search of the text for the verbs, apart from the code under test."""
     if not CORPUS.exists():
         pytest.skip("no corpus")
-    asking = set()
-    for name, data in corpus_scripts():
-        code = re.sub(r"(#|//).*", "", data.decode("latin-1"))
-        if re.search(r"\b(haslos|firstthinginview|firstthingincone)\s*\(", code, re.IGNORECASE):
-            asking.add(name.rpartition("/")[2].lower())
+    asking = {name.rpartition("/")[2].lower() for name, data in corpus_scripts() if asks(data)}
     listed = set()
     for pack in sorted((CORPUS / "gob").glob("*")):
         for member in discover(str(pack), [], ("jkl",)):
