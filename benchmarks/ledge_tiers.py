@@ -18,7 +18,7 @@ from benchmarks.ledge_disagreement import GAIT
 from benchmarks.sight_queries import levels
 from jktools.facts.floors import Floors
 from jktools.facts.ledges import SAMPLES
-from jktools.geometry.ledges import BEYOND, Beyond, EdgeWalker
+from jktools.geometry.ledges import BEYOND, Beyond, EdgeWalker, Over
 from jktools.tradeoff.overlay import Intervals, overlay
 
 SAME_DROP = 1e-9
@@ -30,6 +30,8 @@ def differing(edges: EdgeWalker, found: Beyond, exact: Beyond) -> Iterator[float
     pieces = overlay(*(Intervals(each.edge, each.start, each.end) for each in (found, exact)))
     one, other = (_at(each, rows, pieces.middle) for each, rows in ((found, pieces.one), (exact, pieces.other)))
     differs = np.any([a != b for a, b in zip(one[:-1], other[:-1], strict=True)], axis=0)
+    # Which of two blocks first, a thing or a wall, is not analysed.
+    differs &= ~((one[0] == Over.BLOCKED) & (other[0] == Over.BLOCKED) & (np.maximum(one[2], other[2]) >= 0))
     differs |= np.abs(one[-1] - other[-1]) > SAME_DROP
     yield from ((pieces.end - pieces.start) * length[pieces.edge])[differs].tolist()
 

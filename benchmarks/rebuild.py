@@ -62,8 +62,8 @@ def compiled(paths: Sequence[str], tier: str, jobs: int) -> Iterator[tuple[str, 
         built = build_all(list(paths), Path(folder), compiling=CompileSettings(accuracy=tier), jobs=jobs)
         for message in (*built.refused, *built.problems, *built.bugs):
             print(f"  {message}", flush=True)
-        for path, file, size in built.written:
-            yield path, hashlib.sha256(file.read_bytes()).hexdigest(), size
+        for each in built.written:
+            yield each.level, hashlib.sha256(each.target.read_bytes()).hexdigest(), each.size
 
 
 def run(tier: str, paths: Sequence[str], jobs: int, notes: Notes, end: float) -> None:

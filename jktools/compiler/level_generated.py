@@ -8436,7 +8436,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
         return o == 0
 
-    # The intervals of each body, by surface, corner and start.
+    # The intervals of each body, by surface, corner and start; those of things first.
     # Ledges
     def BodyLedgeStart(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))

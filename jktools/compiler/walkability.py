@@ -28,7 +28,7 @@ def ledges(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Co
     if why_not:
         return NotNeeded(why_not)
     engine, bodies = Engine(settings.engine), facts.bodies
-    kept = [(found, np.flatnonzero(found.kind != Kind.LEVEL)) for found in _known(facts, settings)]
+    kept = [(found, _kept(found)) for found in _known(facts, settings)]
     kept_of = iter(kept)
     lengths = [len(next(kept_of)[1]) if body.hovers else 0 for body in bodies]
     return {
@@ -60,6 +60,12 @@ def basins(facts: LevelFacts, _: Strings, settings: CompileSettings) -> Columns 
         "entered": np.array([int(basin.entered) for _, basin in found]),
         "left": np.array([int(basin.left) for _, basin in found]),
     }
+
+
+def _kept(found: Ledges) -> npt.NDArray[np.intp]:
+    """The rows that are not level, by their surfaces: those of things, which have none (-1), come first."""
+    rows = np.flatnonzero(found.kind != Kind.LEVEL)
+    return rows[np.argsort(found.surface[rows], kind="stable")]
 
 
 def _nothing(facts: LevelFacts) -> str:

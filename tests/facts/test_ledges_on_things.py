@@ -12,6 +12,8 @@ from hypothesis import strategies as st
 
 from benchmarks.ledge_disagreement import GAIT, Twin, compare, scenes
 from benchmarks.ledge_tiers import differing
+from jktools.compiler import CompiledLevel, compile_level
+from jktools.compiler.queries import ledges_at
 from jktools.engine.profile import Engine
 from jktools.facts import LevelFacts
 from jktools.facts.floors import PLACED
@@ -123,6 +125,23 @@ def test_the_edges_of_a_thing_are_edges_of_floors_at_each_of_its_places() -> Non
     assert tops[1] == pytest.approx([0.375] * 4)
     assert set(found.carrier_face[own].tolist()) == {0}
     assert (found.surface[own] == -1).all()
+
+
+def test_the_file_names_the_thing_that_an_edge_is_of_and_the_one_come_onto() -> None:
+    with with_box(".5 1.4 -.5 0 0 0", (0.4, 0.4, 0.5)) as level:
+        held = CompiledLevel(compile_level(level)).ledges
+    assert held is not None
+    own = held.surface == -1
+    assert (np.diff(held.surface) >= 0).all(), "by surface: those of things first"
+    assert set(held.carrier[own].tolist()) == {2}
+    assert set(held.carrier_frame[own].tolist()) == {-1}
+    assert set(held.carrier_face[own].tolist()) == {0}
+    assert set(held.carrier[~own].tolist()) == set(held.carrier_face[~own].tolist()) == {-1}
+    onto = held.onto == 2
+    assert (held.below[onto] == -1).all()
+    assert set(held.onto_face[~onto].tolist()) == {-1}
+    found = list(ledges_at(held, 0, 0, 2))
+    assert [Kind(each.kind) for each in found] == [Kind.FALL, Kind.FALL], "the box between them is level"
 
 
 def test_a_box_in_a_pit_lets_out() -> None:
