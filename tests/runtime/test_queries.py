@@ -18,7 +18,7 @@ from jktools.compiler import CompiledLevel, CompileSettings, compile_level
 from jktools.facts.ledges import Kind
 from jktools.model import Level
 from tests.runtime.compiler import FLATBUFFERS, compiler
-from tests.support.halls import halls
+from tests.support.halls import crooked_halls, halls
 from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
 
 SMITHDEV = (ROOT / "fixtures/smithdev/level/jkl/smithdev.jkl").read_bytes()
@@ -30,6 +30,8 @@ def fixtures() -> Iterator[tuple[str, Level]]:
     yield "a vertex beyond float32", level_of(two_rooms("World vertices 12", "11: 1e39 2 1"))
     yield "water", level_of(two_rooms("Sector 1", "FLAGS 0x2"))
     yield "halls", halls()
+    for seed in range(3):
+        yield f"crooked halls {seed}", crooked_halls(seed)
 
 
 def compiled_at(folder: Path, level: Level, accuracy: str = "balanced") -> tuple[Path, CompiledLevel]:
