@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from fixtures.rooms import VISIBLE
+from fixtures.rooms import MOVEMENT, OPEN, VISIBLE
 from fixtures.rooms import Level as Builder
 from jktools.model import Level
 from tests.support.levels import level_of
@@ -28,6 +28,18 @@ def crooked_halls(seed: int) -> Level:
         moved = np.array(numbers, float) + rng.integers(-4, 5, 3) / 8
         lines[i] = " ".join([label, *map(str, moved.tolist())])
     return level_of("\n".join(lines))
+
+
+def crossroads(first: bool, second: bool) -> Level:
+    """Four rooms around an edge: from 0 into 1 and 2, and on into 3 where sight passes the first or the second."""
+    builder = Builder("crossroads")
+    for x, y in ((0, 0), (2, 0), (0, 2), (2, 2)):
+        builder.room((x, y, 0), (x + 2, y + 2, 2))
+    builder.window(0, 1, (2, 0, 0), (2, 2, 2))
+    builder.window(0, 2, (0, 2, 0), (2, 2, 2))
+    builder.window(1, 3, (2, 2, 0), (4, 2, 2), flags=OPEN if first else MOVEMENT)
+    builder.window(2, 3, (2, 2, 0), (2, 4, 2), flags=OPEN if second else MOVEMENT)
+    return level_of(builder.text())
 
 
 def _text() -> str:
