@@ -83,10 +83,16 @@ private:
     void meet(const Passage& at) {
         found_.clear();
         for (Index s = mesh_.first_surface(at.sector); s < mesh_.end_surface(at.sector); ++s) {
-            if (mesh_.passes_to(s) == kAbsent) continue;
+            if (mesh_.passes_to(s) == kAbsent || beside(mesh_.box(s))) continue;
             const Index triangles = mesh_.triangles(s);
             for (Index i = 0; i < triangles; ++i) offer(s, mesh_.triangle(s, i), at);
         }
+    }
+
+    // Whether the line straight down misses a box.
+    bool beside(const Mesh::Box& box) const {
+        const Point p = way_.from;
+        return p[0] < box.low[0] || p[0] > box.high[0] || p[1] < box.low[1] || p[1] > box.high[1] || p[2] < box.low[2];
     }
 
     void offer(Index surface, const Triangle& t, const Passage& at) {

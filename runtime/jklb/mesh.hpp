@@ -1,6 +1,6 @@
 // What queries need of a level, taken out of its columns once: the one place that reads geometry.
 //
-// Costs a fraction of a millisecond and, for each corner of a surface, 24 bytes and a few more.
+// Costs a fraction of a millisecond, and about as much memory as the geometry has in the file.
 #pragma once
 
 #include <algorithm>
@@ -61,18 +61,19 @@ public:
         return corners > 2 ? corners - 2 : 0;
     }
     Triangle triangle(Index surface, Index i) const {
-        const Point fan = corner(surface, 0);
-        return {fan, fan + 3 * (i + 1), fan + 3 * (i + 2)};
+        return {corner(surface, 0), corner(surface, i + 1), corner(surface, i + 2)};
     }
 
     bool degenerate(Index surface, Index i) const { return degenerate_[index(surface)] >> i & 1; }
 
     Index corners(Index surface) const { return start_[index(surface) + 1] - start_[index(surface)]; }
-    Point corner(Index surface, Index i) const { return &corner_[3 * index(start_[index(surface)] + i)]; }
+    Point corner(Index surface, Index i) const {
+        return &position_[3 * index(vertex_[index(start_[index(surface)] + i)])];
+    }
 
-    // The least and the greatest corner of a surface's box.
+    // The least and the greatest corner of a surface's box: exact, since vertices are float32.
     struct Box {
-        double low[3], high[3];
+        float low[3], high[3];
     };
     const Box& box(Index surface) const { return box_[index(surface)]; }
 
@@ -88,26 +89,50 @@ private:
     static std::size_t index(Index i) { return static_cast<std::size_t>(i); }
 
     void take_surfaces(const Geometry& g, const std::vector<float>& vertices) {
-        const std::vector<Index> own = g.corner_vertex.all();
         const std::vector<std::uint32_t> start = g.surface_corner_start.all();
         start_.assign(start.begin(), start.end());
-        corner_.resize(3 * own.size());
-        for (std::size_t i = 0; i < own.size(); ++i)
-            for (std::size_t k = 0; k < 3; ++k) corner_[3 * i + k] = vertices[3 * index(own[i]) + k];
-        degenerate_.resize(g.surface_flags.rows());
+        vertex_ = g.corner_vertex.all();
+        position_.assign(vertices.begin(), vertices.end());
         box_.resize(g.surface_flags.rows());
-        for (Index s = 0; s < static_cast<Index>(box_.size()); ++s) box_[index(s)] = box_around(s);
+        degenerate_.resize(box_.size());
+        unsound_.assign(box_.size() + 1, 0);
+        for (Index s = 0; s < static_cast<Index>(box_.size()); ++s) {
+            const bool good = sound(s);
+            unsound_[index(s) + 1] = unsound_[index(s)] + !good;
+            if (!good) continue;
+            box_[index(s)] = box_around(s);
+            degenerate_[index(s)] = marks(s);
+        }
+    }
+
+    bool sound(Index surface) const {
+        if (corners(surface) > kMostCorners) return false;
+        for (Index i = 0; i < corners(surface); ++i)
+            for (int k = 0; k < 3; ++k)
+                if (!std::isfinite(corner(surface, i)[k])) return false;
+        return true;
     }
 
     Box box_around(Index surface) const {
-        constexpr double kFar = std::numeric_limits<double>::infinity();
+        constexpr float kFar = std::numeric_limits<float>::infinity();
         Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
         for (Index i = 0; i < corners(surface); ++i)
             for (int k = 0; k < 3; ++k) {
-                box.low[k] = std::min(box.low[k], corner(surface, i)[k]);
-                box.high[k] = std::max(box.high[k], corner(surface, i)[k]);
+                const auto x = static_cast<float>(corner(surface, i)[k]);
+                box.low[k] = std::min(box.low[k], x);
+                box.high[k] = std::max(box.high[k], x);
             }
         return box;
+    }
+
+    // A bit for each triangle whose corners lie on one line.
+    std::uint32_t marks(Index surface) const {
+        std::uint32_t marks = 0;
+        for (Index i = 0; i < triangles(surface); ++i) {
+            const Triangle t = triangle(surface, i);
+            marks |= static_cast<std::uint32_t>(collinear(t.a, t.b, t.c)) << i;
+        }
+        return marks;
     }
 
     void take_sectors(const Geometry& g, const std::vector<float>& vertices) {
@@ -116,8 +141,7 @@ private:
         known_.resize(count), under_water_.resize(count), first_.resize(count), end_.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             const Index first = g.sector_first_surface(i), end = first + g.sector_surface_count(i);
-            known_[i] = finite[i] && sound(first, end);
-            if (known_[i]) mark_degenerate(first, end);
+            known_[i] = finite[i] && unsound_[index(first)] == unsound_[index(end)];
             first_[i] = known_[i] ? first : 0;
             end_[i] = known_[i] ? end : 0;
             under_water_[i] = (g.sector_flags(i) & kSectorUnderwater) != 0;
@@ -134,25 +158,6 @@ private:
                 for (std::size_t k = 0; k < 3; ++k)
                     if (!std::isfinite(vertices[3 * index(own[i]) + k])) finite[s] = 0;
         return finite;
-    }
-
-    bool sound(Index first, Index end) const {
-        for (Index s = first; s < end; ++s)
-            if (corners(s) > kMostCorners) return false;
-        for (std::size_t i = 3 * index(start_[index(first)]); i < 3 * index(start_[index(end)]); ++i)
-            if (!std::isfinite(corner_[i])) return false;
-        return true;
-    }
-
-    void mark_degenerate(Index first, Index end) {
-        for (Index s = first; s < end; ++s) {
-            std::uint32_t marks = 0;
-            for (Index i = 0; i < triangles(s); ++i) {
-                const Triangle t = triangle(s, i);
-                marks |= static_cast<std::uint32_t>(collinear(t.a, t.b, t.c)) << i;
-            }
-            degenerate_[index(s)] = marks;
-        }
     }
 
     // An adjoin leads into the sector whose surface carries its mirror.
@@ -174,8 +179,10 @@ private:
         return surface < 0 ? -1 : g.surface_sector(index(surface));
     }
 
-    std::vector<double> corner_;  // x y z of each, surface by surface
+    std::vector<double> position_;  // x y z of each vertex
+    std::vector<Index> vertex_;     // of each corner, surface by surface
     std::vector<Index> start_, leads_to_, passes_to_, first_, end_;
+    std::vector<Index> unsound_;  // surfaces before each that cannot be computed with
     std::vector<Box> box_;
     std::vector<std::uint32_t> degenerate_;  // bit i for triangle i
     std::vector<std::uint8_t> known_, under_water_;

@@ -18,7 +18,7 @@ from jktools.compiler import CompiledLevel, CompileSettings, compile_level
 from jktools.facts.ledges import Kind
 from jktools.model import Level
 from tests.runtime.compiler import FLATBUFFERS, compiler
-from tests.support.halls import halls
+from tests.support.halls import crooked_halls, crossroads, halls
 from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
 
 SMITHDEV = (ROOT / "fixtures/smithdev/level/jkl/smithdev.jkl").read_bytes()
@@ -30,6 +30,8 @@ def fixtures() -> Iterator[tuple[str, Level]]:
     yield "a vertex beyond float32", level_of(two_rooms("World vertices 12", "11: 1e39 2 1"))
     yield "water", level_of(two_rooms("Sector 1", "FLAGS 0x2"))
     yield "halls", halls()
+    for seed in range(3):
+        yield f"crooked halls {seed}", crooked_halls(seed)
 
 
 def compiled_at(folder: Path, level: Level, accuracy: str = "balanced") -> tuple[Path, CompiledLevel]:
@@ -117,6 +119,22 @@ def test_the_two_rooms_by_hand(jklb_query: Path, tmp_path: Path) -> None:
         "sector 0, inside 0, on the boundary of 2", "in no sector", "may be visible",
         "sector 0, inside 1, on the boundary of 0",
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("first", "second"), [(True, True), (True, False), (False, True), (False, False)])
+def test_a_way_that_parts_at_an_edge(first: bool, second: bool, jklb_query: Path, tmp_path: Path) -> None:
+    """One way that sees is enough; where none does, the first that is blocked tells."""
+    level = crossroads(first, second)
+    path, compiled = compiled_at(tmp_path, level)
+    (found,) = answers(jklb_query, path, ["sight 1 1 1 0 3 3 1"])
+    if first or second:
+        assert found == "visible through 3 sectors"
+    else:
+        walls = [i for i, s in enumerate(level.surfaces) if s.adjoin and s.adjoin.sector == level.sectors[3]]
+        assert found == f"blocked by surface {max(walls)} after 2 sectors", (
+            "by room 2: its window comes first in room 0"
+        )
+    assert_equal(jklb_query, path, compiled, level, 1200)
 
 
 @pytest.mark.parametrize(

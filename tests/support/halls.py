@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from fixtures.rooms import VISIBLE
+import numpy as np
+
+from fixtures.rooms import MOVEMENT, OPEN, VISIBLE
 from fixtures.rooms import Level as Builder
 from jktools.model import Level
 from tests.support.levels import level_of
@@ -13,6 +15,34 @@ PLAYER = "walkplayer none type=player move=physics physflags=0x4a4f size=.065 he
 
 def halls() -> Level:
     """Sectors 0 to 6: a hall, a pit, the bank beyond it, a step, a higher floor, a pool, and the shaft over it."""
+    return level_of(_text())
+
+
+def crooked_halls(seed: int) -> Level:
+    """The same with every vertex moved by up to half a JKU: bent faces, sectors that overlap, gaps between them."""
+    rng = np.random.default_rng(seed)
+    lines = _text().split("\n")
+    start = next(i for i, line in enumerate(lines) if line.startswith("World vertices"))
+    for i in range(start + 1, lines.index("", start)):
+        label, *numbers = lines[i].split()
+        moved = np.array(numbers, float) + rng.integers(-4, 5, 3) / 8
+        lines[i] = " ".join([label, *map(str, moved.tolist())])
+    return level_of("\n".join(lines))
+
+
+def crossroads(first: bool, second: bool) -> Level:
+    """Four rooms around an edge: from 0 into 1 and 2, and on into 3 where sight passes the first or the second."""
+    builder = Builder("crossroads")
+    for x, y in ((0, 0), (2, 0), (0, 2), (2, 2)):
+        builder.room((x, y, 0), (x + 2, y + 2, 2))
+    builder.window(0, 1, (2, 0, 0), (2, 2, 2))
+    builder.window(0, 2, (0, 2, 0), (2, 2, 2))
+    builder.window(1, 3, (2, 2, 0), (4, 2, 2), flags=OPEN if first else MOVEMENT)
+    builder.window(2, 3, (2, 2, 0), (2, 4, 2), flags=OPEN if second else MOVEMENT)
+    return level_of(builder.text())
+
+
+def _text() -> str:
     builder = Builder("halls")
     hall = builder.room((0, 0, 0), (4, 4, 3))
     pit = builder.room((4, 0, -2), (6, 4, 3))
@@ -31,4 +61,4 @@ def halls() -> Level:
     builder.templates.append(PLAYER)
     builder.thing("walkplayer", (2, 2, 0.18), hall)
     builder.thing("walkplayer", (11, 3, 0.68), high)
-    return level_of(builder.text())
+    return builder.text()
