@@ -57,11 +57,12 @@ def test_arrays_are_read_only_views_of_the_file_on_eight_bytes(tmp_path: Path) -
         assert np.shares_memory(getattr(compiled, name), whole), name
 
 
-def test_the_same_input_gives_the_same_bytes_whatever_the_hash_seed(level_file: Path) -> None:
-    code = "import sys, jktools; sys.stdout.buffer.write(jktools.build(jktools.load(sys.argv[1])))"
+@pytest.mark.parametrize("accuracy", ["balanced", "fast"])
+def test_the_same_input_gives_the_same_bytes_whatever_the_hash_seed(accuracy: str, level_file: Path) -> None:
+    code = "import sys, jktools; sys.stdout.buffer.write(jktools.build(jktools.load(sys.argv[1]), sys.argv[2]))"
     seen = {
         subprocess.run(
-            [sys.executable, "-c", code, str(level_file)], capture_output=True, check=True,
+            [sys.executable, "-c", code, str(level_file), accuracy], capture_output=True, check=True,
             env={"PYTHONHASHSEED": seed, "PATH": "", "JKTOOLS_CACHE": ""},
         ).stdout
         for seed in ("1", "2")
