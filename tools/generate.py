@@ -14,7 +14,6 @@ from tools.format_page import format_page
 from tools.parameter_page import parameter_page
 from tools.reach_table import reach_table
 from tools.rule_pages import count_corpus, rule_pages
-from tools.tradeoff_page import tradeoff_page
 from tools.runtime_sections import runtime_sections
 
 ROOT = Path(__file__).resolve().parent.parent
