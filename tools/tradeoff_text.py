@@ -9,10 +9,11 @@ import math
 import statistics
 import textwrap
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 from jktools.tradeoff import PASSES, TIERS
-from jktools.tradeoff.errors import length
+from jktools.tradeoff.errors import ROUNDING, length
 from jktools.tradeoff.write import duration
 
 Figures = dict[str, dict[str, Any]]
@@ -79,78 +80,12 @@ class Corpus:
         return sum("not_measured" in each.get(name, {}).get(tier, {}) for each in self.figures.values())
 
 
-HEAD = """
-# What accuracy costs
-
-What `jktools tradeoff` says of {levels} levels of real mods together. `python -m tools.tradeoff_page` makes this page; its
-figures, level by level, are in [tradeoffs.json](tradeoffs.json). Each level is asked {queries} queries of location, of
-sight and of the floor below, seed {seed}; a quarter of them is aimed at edges and vertices. Errors are against `exact` and
-the same at every run. Times are processor time, on one thread, of a machine that others shared: read the ratios, which were
-taken in one run with the tiers in turn.
-
-![time against error of each pass, one small point a level](tradeoffs.svg)
-
-## Which tier to use
-
-**In CI: `balanced`**, the default. **To ship: `balanced`** too, or `exact` where its passes below end in time. **While you
-edit: `fast`**, for a file that is looked at and thrown away.
-
-- *Sight*: `balanced`, always. It gave the answer of `exact` in all {sight_asked} queries, with the same walls and ways, in
-  {sight_balanced} the time of `fast`, which was wrong in {sight_wrong} of what games ask and in {sight_wrong_edges} at edges.
-  `exact` is what holds it to that: {sight_exact} the time.
-- *Location and floors*: `balanced`, always: as exact, for {location_balanced} and {drop_balanced} the time of `fast`, which
-  was wrong in {location_wrong} and {drop_wrong}, and in {location_wrong_edges} and {drop_wrong_edges} at edges.
-- *Edges* are where exactness is paid for: a query of sight that is aimed at one takes `balanced` {edges_balanced} as long as
-  another, and `fast` {edges_fast}. Worlds are full of them: bodies stand on faces, things at corners.
-- *Visibility*: `balanced`. `fast` claims {visible_fast} more pairs of sectors than `exact`, `balanced` {visible_balanced} more,
-  in {visibility_balanced} the time of `fast`; `exact` takes {visibility_exact} the time of `balanced`. None of {segments}
-  segments saw a pair that a tier denies.
-- *Ledges and basins*: `balanced`. `fast` samples {samples} places an edge and misses {ledges_missed_fast} of {ledges}
-  ledges and {basins_missed_fast} of {basins} basins, so nothing that reports one may rest on it; `balanced` misses
-  {ledges_missed} and {basins_missed}, in {ledges_balanced} the time. `exact` takes {ledges_exact} the time of `balanced`.
-- *Motion*: `exact`, which is milliseconds as well. How far a body goes on depends on the frame rate, by up to {widest}
-  between 10 and 120 frames a second; what `balanced` says for 50 is off by up to {motion_balanced} at another, the
-  closed form of `fast` by up to {motion_fast}.
-{file}
-- *A whole build* takes {build_balanced} as long at `balanced` as at `fast`, {build_longest} for the largest level. At `exact`
-  add the passes below.
-
-## Over all levels
-
-Time beside `balanced`: the geometric mean over the levels measured at both. Memory: what the computation added at most, in
-any level. Bytes and errors: over all levels.
-"""
-
+TEMPLATE = Path(__file__).with_name("tradeoffs.template.md")
 GRID = """
 - *The file*: at `fast` vertices lie on a grid, {moved} off at most; the geometry takes {geometry_bytes} of its bytes at
   `balanced`, the whole file {file_bytes}.
 """
 NO_GRID = "- *The file*: vertices are those of the level at every tier."
-
-MEANINGS = """
-## What the errors are
-
-- **location, sight, drop**: another sector, verdict or floor than by `exact`, which CGAL decides and which shares no code
-  with the others. *At edges*: queries onto, along and through vertices and edges.
-- **visibility**: *false* is a pair that `exact` does not have. A tier starts from what the one before it leaves and only
-  takes away, so that a pair can be missed by a fault alone; segments of sight look for one: what sees its target on a way
-  into a sector that is denied would prove it. `balanced` keeps more than `exact` for two reasons, neither of them rounding:
-  `exact` also narrows the portal that is looked from, and follows four times as many chains of portals through open
-  ground before it gives up.
-- **ledges**: the length of edges whose kind differs (fall, step, wall, ...), and stretches of one kind, longer than 0.001
-  JKU, that a tier has nowhere. Depths are compared where the kind is the same.
-- **basins**: matched by the floors that they share.
-- **motion**: between the way to rest that is said and either end of what 10 to 120 frames a second give.
-- **geometry**: how far vertices in the file are from those of the level.
-
-## Level by level
-
-Seconds of a whole build, and of the two passes that are dear at `exact`; the pairs of sectors that `balanced` has beside
-those of `exact`; the size of the file as a part of the level's text.
-
-| level | surfaces | build, fast | build, balanced | visibility, exact | ledges, exact | more pairs | file, fast | file, balanced |
-|---|---|---|---|---|---|---|---|---|
-"""
 
 
 def page(figures: Figures, queries: int, seed: int) -> str:
@@ -159,9 +94,12 @@ def page(figures: Figures, queries: int, seed: int) -> str:
     for claim, holds in _claims(corpus):
         if not holds:
             raise ValueError(f"docs/tradeoffs.md claims that {claim}, but the figures do not carry it")
-    head = HEAD.format(levels=len(figures), queries=f"{queries:,}", seed=seed, **_named(corpus))
-    lines = [*_wrapped(head), "", *_table(corpus), "", *_wrapped(MEANINGS), *_by_level(figures)]
-    return "\n".join(lines) + "\n"
+    named = _named(corpus)
+    filled = TEMPLATE.read_text().format(
+        levels=len(figures), queries=f"{queries:,}", seed=seed, table="\n".join(_table(corpus)),
+        rows="\n".join(_by_level(figures)), **named,
+    )  # fmt: skip
+    return "\n".join(_wrapped(filled)) + "\n"
 
 
 def _claims(c: Corpus) -> Iterator[tuple[str, bool]]:
@@ -209,6 +147,7 @@ def _named(c: Corpus) -> dict[str, str]:
         file_bytes=_percent(sizes["build"][0] / sizes["build"][1]),
     )
     return found | {
+        "lost": f"{c.total('visibility', 'fast', 'missed_in_file'):,.0f}",
         "segments": f"{c.total('visibility', 'balanced', 'segments'):,.0f}",
         "widest": length(c.most("motion", "exact", "widest")),
         "build_longest": duration(c.figure("build", "balanced", "seconds", max)),
@@ -227,8 +166,10 @@ def _table(c: Corpus) -> Iterator[str]:
             late = c.left_out(name, tier)
             levels = f"{c.count(name, tier)}" + (f" ({late} took too long)" if late else "")
             size = c.figure(name, tier, "bytes")
+            ratio = c.ratio(name, tier, "balanced")
+            beside = "-" if math.isnan(ratio) else f"{ratio:.2f}" if ratio < 10 else f"{ratio:,.0f}"
             yield (
-                f"| {name} | {tier} | {levels} | {_times(c.ratio(name, tier, 'balanced'))} "
+                f"| {name} | {tier} | {levels} | {beside} "
                 f"| {c.figure(name, tier, 'memory', max) / 1e6:.1f} MB | {f'{size:,.0f}' if size else '-'} "
                 f"| {'-' if tier == 'exact' else _error(c, name, tier)} |"
             )
@@ -241,7 +182,7 @@ def _error(c: Corpus, name: str, tier: str) -> str:
         return f"{c.total(name, tier, key):,.0f}"
 
     def most(key: str) -> str:
-        return length(c.most(name, tier, key))
+        return _length(c.most(name, tier, key))
 
     match name:
         case "location" | "sight" | "drop":
@@ -289,21 +230,28 @@ def _seconds(held: dict[str, Any], tier: str) -> str:
     cell = held.get(tier, {})
     if "seconds" not in cell:
         return cell.get("not_measured", "not measured")
-    return f"{cell['seconds']:.0f}" if cell["seconds"] >= 9.95 else f"{cell['seconds']:.1g}"
+    return duration(cell["seconds"])
 
 
 def _wrapped(text: str) -> Iterator[str]:
-    """Paragraphs and items filled anew: numbers are longer and shorter than their names."""
-    for part in (
-        text.strip().replace("\n- ", "\n\0- ").replace("\n|", "\n\0|").replace("\n\n", "\n\0\n\0").split("\n\0")
-    ):
-        if part.startswith(("#", "!", "|")) or not part.strip():
-            yield part.strip("\n")
-        else:
-            hang = "  " if part.startswith("- ") else ""
+    """Paragraphs and items filled anew, since numbers are longer or shorter than their names."""
+    whole: list[str] = []
+    for line in [*text.splitlines(), ""]:
+        begins = line.startswith(("- ", "#", "!", "|")) or not line.strip()
+        if begins and whole:
+            hang = "  " if whole[0].startswith("- ") else ""
             yield from textwrap.wrap(
-                part, WIDTH, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False
+                " ".join(whole), WIDTH, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False
             )
+            whole = []
+        if begins and not line.startswith("- "):
+            yield line
+        else:
+            whole.append(line.strip())
+
+
+def _length(value: float) -> str:
+    return length(value) if value > ROUNDING else "0 JKU"
 
 
 def _times(ratio: float) -> str:
@@ -317,4 +265,4 @@ def _count(value: float) -> str:
 
 
 def _percent(share: float) -> str:
-    return "0 %" if not share else f"{100 * share:.2g} %" if share < 0.1 else f"{100 * share:.0f} %"
+    return "0 %" if share < ROUNDING else f"{100 * share:.2g} %" if share < 0.1 else f"{100 * share:.0f} %"

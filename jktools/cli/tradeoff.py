@@ -10,7 +10,7 @@ from pathlib import Path
 
 import click
 
-from jktools.cli.app import base_option, problem
+from jktools.cli.app import base_option, note, problem
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
 from jktools.compiler import CHOICES, CompileError, CompileSettings, compile_level
@@ -20,7 +20,7 @@ from jktools.session import load
 from jktools.session.settings import Game
 from jktools.session.write import write_atomically
 from jktools.tradeoff import PASSES, TIERS, Asked, Plan, measure
-from jktools.tradeoff.plot import FORMATS, to_plot
+from jktools.tradeoff.plot import FORMATS, points_of, to_plot
 from jktools.tradeoff.write import WIDTH, to_json, to_table
 
 MOST_QUERIES = 10_000_000
@@ -115,7 +115,9 @@ def command(
         terminal = sys.stdout.isatty()
         width = shutil.get_terminal_size((WIDTH, 24)).columns if terminal else WIDTH
         click.echo("\n".join(map(printable, to_table(loaded, plan, rows, width=width).splitlines())))
-    if output is not None:
+    if output is not None and not any(points_of(row) for row in rows):
+        note(f"{output} is not written: there is no pass whose time and error are known")
+    elif output is not None:
         write_atomically(output, to_plot(rows, loaded.path, suffix))
     bugs = [(row.found.name, cell) for row in rows for cell in row.cells if cell.is_bug]
     for name, cell in bugs:

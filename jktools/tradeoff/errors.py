@@ -26,7 +26,8 @@ Float64 = npt.NDArray[np.float64]
 AT_EDGES = "edges"
 """The kind of queries that are aimed at edges and vertices; all other kinds are what games and mods ask."""
 ROUNDING = 1e-9
-"""JKU: depths that differ by less are the same but for their last digits, and texts do not speak of it."""
+"""JKU: what differs by less is the same but for its last digits. Texts do not speak of it, and pieces of ledges that
+are so short count for no kind."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,7 +176,7 @@ def ledge_error(found: Sequence[Walked], exact: Sequence[Walked]) -> Error:
 def _ledges_of_body(found: Walked, exact: Walked) -> _Counted:
     pieces = overlay(found.intervals, exact.intervals)
     size = (pieces.end - pieces.start) * exact.length[pieces.edge]
-    same = _kinds(found, pieces.one) == _kinds(exact, pieces.other)
+    same = (_kinds(found, pieces.one) == _kinds(exact, pieces.other)) | (size <= ROUNDING)
     ledges, missed = _missed(exact, pieces.other, same)
     _, false = _missed(found, pieces.one, same)
     off = _apart(found, exact, pieces)

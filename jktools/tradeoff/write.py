@@ -58,12 +58,14 @@ def _row(row: Row) -> dict[str, Any]:
 
 def cell_of(cell: Cell) -> dict[str, Any]:
     """One cell as it stands in JSON."""
-    measured = not cell.not_measured
-    times = {"median": cell.median, "least": min(cell.seconds), "most": max(cell.seconds), "runs": len(cell.seconds)}
+    measured = bool(cell.seconds) and not cell.not_measured
+    took = cell.seconds
     error = cell.error
     return {
         "tier": cell.tier,
-        "seconds": times if measured else None,
+        "seconds": {"median": cell.median, "least": min(took), "most": max(took), "runs": len(took)}
+        if measured
+        else None,
         "seconds_at_edges": cell.seconds_at_edges,
         "memory": None if cell.memory is None or not measured else cell.memory._asdict(),
         "bytes": cell.bytes,

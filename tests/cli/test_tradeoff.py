@@ -112,6 +112,22 @@ def test_json_keeps_to_its_schema(here: Path, capsys: pytest.CaptureFixture[str]
     assert (here / "out/plot.svg").read_bytes().startswith(b"<?xml")
 
 
+def test_json_of_what_is_not_measured(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["--passes", "sight,ledges", "--queries", "40", "--time-limit", "1e-9", "--json"]
+    assert main(["tradeoff", "rooms.jkl", *words]) == 0
+    report = json.loads(capsys.readouterr().out)
+    jsonschema.validate(report, json.loads((ROOT / "docs/tradeoff.schema.json").read_text()))
+    for cell in (cell for each in report["passes"] for cell in each["tiers"]):
+        assert cell["not_measured"] == "takes longer than 1e-09 s"
+        assert (cell["seconds"], cell["memory"], cell["bytes"], cell["error"]) == (None, None, None, None)
+
+
+def test_nothing_is_plotted_where_no_error_is_known(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["tradeoff", "rooms.jkl", "--passes", "sight", "--tiers", "fast", "--queries", "4", "-o", "a.png"]) == 0
+    assert "note: a.png is not written: there is no pass whose time and error are known" in capsys.readouterr().err
+    assert not (here / "a.png").exists()
+
+
 def test_options_choose(capsys: pytest.CaptureFixture[str]) -> None:
     words = ["tradeoff", "rooms.jkl", "--passes", "visibility, sight", "--tiers", "exact,fast", "--queries", "40"]
     assert main([*words, "--engine", "openjkdf2"]) == 0
