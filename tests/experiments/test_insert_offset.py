@@ -111,9 +111,13 @@ def test_a_larger_offset_walks_up_what_needed_a_jump(compiled: Compile, trace: R
         assert level.level.ledges is not None and rows
         kinds = {Kind(level.level.ledges.kind[row]) for row in rows}
         walk = trace("0 walk forward\n2.5 end", f"insert_offset/before {rise}", "--body", body, "--engine", engine)
-        stepped = walk.position[-1, 2] > float(rise)
+        height = float(walk.position[-1, 2]) - hover(level, body)
         if rise in WALKED_UP[body]:
-            assert kinds == {Kind.STEP} and stepped, rise
-        elif kinds != {Kind.LIP}:
+            assert kinds == {Kind.STEP}, rise
+            assert height == pytest.approx(float(rise), abs=1e-6)
+        elif kinds == {Kind.LIP}:
+            assert height == pytest.approx(float(rise), abs=1e-6), "a lip is slid up"
+        else:
             jumped = float(rise) <= level.level.ledges.body_jump[level.body(body)]
-            assert kinds == {Kind.JUMP if jumped else Kind.WALL} and not stepped, rise
+            assert kinds == {Kind.JUMP if jumped else Kind.WALL}, rise
+            assert height < float(rise) / 2, "it stays before the block, leaning on its edge"
