@@ -26,7 +26,7 @@ Float64 = npt.NDArray[np.float64]
 AT_EDGES = "edges"
 """The kind of queries that are aimed at edges and vertices; all other kinds are what games and mods ask."""
 ROUNDING = 1e-9
-"""JKU: what differs by less is the same but for its last digits. Texts do not tell it, and pieces of ledges as short have
+"""JKU: what differs by less is the same but for its last digits. Texts do not tell it; pieces of ledges as short have
 no kind."""
 
 

@@ -23,8 +23,10 @@ Point = tuple[str, float, float]
 
 
 def points_of(row: Row) -> list[Point]:
-    """The cells whose time and error are known."""
-    return [(c.tier, c.median, c.error.worst) for c in row.cells if c.error is not None and not c.not_measured]
+    """The cells whose time and error are known; a coarse clock may have seen no time pass."""
+    return [
+        (c.tier, max(c.median, 1e-9), c.error.worst) for c in row.cells if c.error is not None and not c.not_measured
+    ]
 
 
 def to_plot(rows: Sequence[Row], title: str, suffix: str) -> bytes:
