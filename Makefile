@@ -12,7 +12,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 DEBIAN := python3-venv python3-dev g++ libcgal-dev doctest-dev git
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
-NATIVE := CMakeLists.txt $(shell find native runtime -name '*.[ch]pp' -o -name '*.h')
+NATIVE := CMakeLists.txt runtime/level_generated.h $(shell find native -name '*.[ch]pp')
 # The editable install knows the modules that were there when it was made: a new file changes its folder's time.
 FOLDERS := $(shell find jktools grammars -type d ! -name __pycache__)
 
@@ -43,13 +43,16 @@ bench: $(VENV)/built
 	python -m benchmarks.bench_drop
 	python -m benchmarks.bench_visibility
 	python -m benchmarks.bench_ledges
+	python -m benchmarks.bench_runtime
 
 # The tests that grow with the time they are given: every corpus level, thousands of random faults, a million queries.
 fuzz: $(VENV)/built
-	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py tests/geometry/test_occluders.py tests/facts/test_sight_bounds.py
+	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py tests/geometry/test_occluders.py tests/facts/test_sight_bounds.py \
+	  tests/runtime
 	python -m benchmarks.sight_disagreement --queries 1000000
 	python -m benchmarks.sees_disagreement --queries 1000000
 	python -m benchmarks.drop_disagreement --queries 1000000
+	python -m benchmarks.runtime_disagreement
 	python -m benchmarks.visibility_missed --level azulcity --each 2000
 	python -m benchmarks.visibility_missed --each 20
 	python -m benchmarks.ledge_disagreement --places 20000

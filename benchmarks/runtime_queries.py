@@ -68,7 +68,7 @@ def location_of(compiled: CompiledLevel, asked: Queries, threads: int = 0) -> As
     """The targets."""
     queries, answers = _records(LOCATE, asked)
     queries["origin"] = asked.targets
-    answers["first"], answers["second"], answers["third"] = compiled.mesh.location(asked.targets, threads)
+    answers["first"], answers["second"], answers["third"] = compiled.mesh.location(asked.targets, threads=threads)
     return Asked(queries, answers)
 
 

@@ -6,15 +6,13 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from jktools.compiler.columns import OMISSION, SECTIONS, STRINGS, TEXT, Column, camel_case
+from jktools.compiler.reader import FORMAT_MAJOR, FORMAT_MINOR, TEXT_SINCE
 
 TARGET = "runtime/jklb/sections_generated.hpp"
 SCHEMA = Path(__file__).resolve().parent.parent / "grammars/level.fbs"
 TYPES = {"u1": "std::uint8_t", "i4": "std::int32_t", "u4": "std::uint32_t", "f4": "float", "f8": "double"}
 KEYWORDS = ("template",)
-TEXT_SINCE = 2
-"""Minor version that brought `Level.text` and the columns of omissions."""
-
-HEAD = """\
+HEAD = f"""\
 // The sections of a compiled level as columns, and their range check. Made by tools/generate.py from what
 // jktools/compiler/columns.py declares, which a test holds to the schema's index_of and or_none; do not edit.
 //
@@ -26,7 +24,13 @@ HEAD = """\
 
 #include "columns.hpp"
 
-namespace jklb {
+namespace jklb {{
+
+// Files of this major version are read, of later minor versions what was there before.
+inline constexpr unsigned kFormatMajor = {FORMAT_MAJOR}, kFormatMinor = {FORMAT_MINOR};
+
+// The minor version that brought Level.text and the columns of omissions.
+inline constexpr unsigned kTextSince = {TEXT_SINCE};
 """
 
 

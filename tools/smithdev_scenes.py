@@ -167,8 +167,8 @@ def sight(axes: Axes) -> None:
     for i in range(held["about"]["lamps"]):
         x, y = (np.array(place[held["things"][f"lamp {i}"]][:2]) - origin) @ frame.T
         axes.plot(x, y, "*", color="tab:orange", markersize=5)
-    for verdict, (color, style) in VIEWS.items():
-        axes.plot([], [], style, color=color, label=verdict)
+    for answer, (color, style) in VIEWS.items():
+        axes.plot([], [], style, color=color, label=answer)
     axes.plot([], [], "*", color="tab:orange", label="swing lamp")
     axes.plot([], [], color="tab:purple", label="adjoin without the visible flag")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), ncols=4)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -101,8 +102,15 @@ class Stored:
 
 def absent(column: Column, rows: int) -> Stored:
     """What a column that is not in the file stands for: rows of 0, or of -1 where that means none."""
-    values = np.full((1, column.width) if column.width > 1 else 1, -1 if column.or_none else 0, f"<{column.type}")
+    values = _default(column.type, column.width, column.or_none)
     return Stored(values, count=rows, in_file=False) if rows else Stored(values[:0], in_file=False)
+
+
+@cache
+def _default(kind: str, width: int, or_none: bool) -> Array:
+    values = np.full((1, width) if width > 1 else 1, -1 if or_none else 0, f"<{kind}")
+    values.flags.writeable = False
+    return values
 
 
 def pack(values: Array, column: Column) -> Stored | None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import errno
 import mmap
+import os
 import re
-from collections.abc import Iterator, Mapping
-from functools import cached_property
-from itertools import islice, pairwise
+import stat
+from collections.abc import Mapping
+from functools import cache, cached_property
+from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -32,9 +35,9 @@ ALIGNMENT = 8
 
 NO_SECTION, PLAIN, FIRST_VECTOR = -2, 0, 2
 """Forms of a column as `level_parts` tells them."""
-_DTYPES = {kind: np.dtype(f"<{kind}") for kind in ("u1", "i4", "u4", "f4", "f8")}
-_OF_VECTORS = [np.dtype(f"<{kind}") for kind in VECTORS.values()]
-_INDICES = {1: np.dtype("u1"), 2: np.dtype("<u2")}
+_DTYPES: dict[str, np.dtype[Any]] = {kind: np.dtype(f"<{kind}") for kind in ("u1", "i4", "u4", "f4", "f8")}
+_OF_VECTORS: list[np.dtype[Any]] = [np.dtype(f"<{kind}") for kind in VECTORS.values()]
+_INDICES: dict[int, np.dtype[Any]] = {1: np.dtype("u1"), 2: np.dtype("<u2")}
 
 TEXT_SINCE = 2
 """Minor version that brought the strings as one vector."""
@@ -45,8 +48,40 @@ WORLD = (
 )  # fmt: skip
 """Fields of the table World."""
 
+TEXTS = "strings"
+"""Stands for the columns of the strings among sections."""
+
 ALWAYS = ("resources", "geometry")
-"""Sections that every level has."""
+"""Sections that every level has; a file without one is refused."""
+
+
+Parts = tuple[npt.NDArray[np.int64], npt.NDArray[np.float64]]
+"""What `level_parts` tells, with a row for each column."""
+
+
+class Layout(NamedTuple):
+    """The columns of a section that files of one minor version have."""
+
+    rows: slice
+    """Of the section, among those of `level_parts`."""
+    columns: tuple[tuple[int, str, Column], ...]
+    """Each with its row among them."""
+    declared: Mapping[str, Column]
+
+
+@cache
+def _layouts(minor: int) -> dict[str, Layout]:
+    """By section, the strings first, in the order in which `level_parts` is asked."""
+    found, first = {}, 0
+    for name, columns in ((TEXTS, TEXT), *SECTIONS.items()):
+        held = tuple(
+            (row, key, column)
+            for row, (key, column) in enumerate(columns.items())
+            if column.since <= minor and (column.until is None or minor <= column.until)
+        )
+        found[name] = Layout(slice(first, first + len(columns)), held, columns)
+        first += len(columns)
+    return found
 
 
 class Section:
@@ -56,20 +91,20 @@ class Section:
     kept. `stored` gives the parts as they lie in the file, all of them views.
     """
 
-    def __init__(self, data: memoryview, parts: Mapping[str, tuple[list[int], float]], columns: Mapping[str, Column]):
-        """Hold these columns; `parts` has a row of `level_parts` and the step of each."""
+    def __init__(self, data: memoryview, parts: Parts, layout: Layout) -> None:
+        """Hold the columns of a layout, of which `parts` tells where they lie."""
         self._data = data
         self._parts = parts
-        self._declared = columns
+        self._layout = layout
         self._made: dict[str, npt.NDArray[Any]] = {}
 
     @cached_property
     def stored(self) -> Mapping[str, Stored]:
         """The columns as they lie in the file; of one that does not, what that stands for."""
-        declared = self._declared
-        found = {name: _part(self._data, row, step, declared[name]) for name, (row, step) in self._parts.items()}
-        absences = [name for name, stored in found.items() if stored is None]
-        for name in absences:
+        rows, steps = (each[self._layout.rows].tolist() for each in self._parts)
+        found = {name: _part(self._data, rows[row], steps[row], column) for row, name, column in self._layout.columns}
+        declared = self._layout.declared
+        for name in [name for name, stored in found.items() if stored is None]:
             leader = found.get(declared[name].rows_of or "")
             found[name] = absent(declared[name], 0 if leader is None else len(leader))
         return found  # type: ignore[return-value]  # none is absent now
@@ -79,7 +114,7 @@ class Section:
             raise AttributeError(name)
         if name not in self._made:
             if name in self.stored:
-                self._made[name] = self.stored[name].array(self._declared[name])
+                self._made[name] = self.stored[name].array(self._layout.declared[name])
             elif name in LISTED and "value_list" in self.stored:
                 self._made |= _listed(self)
             else:
@@ -92,7 +127,7 @@ class Section:
     @property
     def texts(self) -> frozenset[str]:
         """The columns that count strings."""
-        return frozenset(name for name in self.stored if self._declared[name].index_of == STRINGS)
+        return frozenset(name for name in self.stored if self._layout.declared[name].index_of == STRINGS)
 
     @property
     def columns(self) -> dict[str, npt.NDArray[Any]]:
@@ -157,11 +192,17 @@ class CompiledLevel:
         if verify and not is_intact(self.data):
             raise CompiledFileError(f"cannot read {self.path}: the checksum does not match; build it again")
         parts, steps = level_parts(octets, wanted())
-        rows = zip(parts.reshape(len(steps), -1).tolist(), steps.tolist(), strict=True)
-        self._texts = self._section(TEXT, rows)
-        found = {name: self._section(columns, rows) for name, columns in SECTIONS.items()}
-        self.sections: Mapping[str, Section] = {name: each for name, each in found.items() if each is not None}
-        self.__dict__.update(found)
+        parts = parts.reshape(len(steps), -1)
+        forms = parts[:, 0].tolist()
+        sections = {
+            name: Section(self.data, (parts, steps), layout)
+            for name, layout in _layouts(self._root.FormatMinor()).items()
+            if forms[layout.rows.start] != NO_SECTION
+        }
+        self._texts = sections.pop(TEXTS)
+        self.sections: Mapping[str, Section] = sections
+        for name in SECTIONS:
+            setattr(self, name, sections.get(name))
 
     def _refuse(self, fault: str) -> None:
         """Raise CompiledFileError for a fault; its cause is what is wrong inside a file that is damaged."""
@@ -169,19 +210,6 @@ class CompiledLevel:
             inside = re.search(r"\((.*)\)$", fault)
             told = f"cannot read {self.path}: {fault.replace('this reader', 'this jktools')}"
             raise CompiledFileError(told) from (ValueError(inside[1]) if inside else None)
-
-    def _section(self, columns: Mapping[str, Column], rows: Iterator[tuple[list[int], float]]) -> Section | None:
-        """The section of these columns, None where it is absent; takes as many rows."""
-        minor = self._root.FormatMinor()
-        own = list(islice(rows, len(columns)))
-        if own[0][0][0] == NO_SECTION:
-            return None
-        parts = {
-            name: row
-            for (name, column), row in zip(columns.items(), own, strict=True)
-            if column.since <= minor and (column.until is None or minor <= column.until)
-        }
-        return Section(self.data, parts, columns)
 
     def __getattr__(self, name: str) -> npt.NDArray[Any]:
         if name in SECTIONS["geometry"] and "sections" in self.__dict__:
@@ -205,7 +233,6 @@ class CompiledLevel:
         """Every text of the level."""
         if self._has_strings:
             return tuple(self._text(self._root.Strings(i)) for i in range(self._root.StringsLength()))
-        assert self._texts is not None
         octets, start = self._texts.text.tobytes(), self._texts.text_start.tolist()
         return tuple(self._text(octets[a : b - 1]) for a, b in pairwise(start))
 
@@ -261,7 +288,6 @@ class CompiledLevel:
         """What the strings take in the file."""
         if self._has_strings:
             return sum(len(self._root.Strings(i)) + 9 for i in range(self._root.StringsLength()))
-        assert self._texts is not None
         return self._texts.nbytes
 
     @property
@@ -408,17 +434,26 @@ def _of_table(table: Any, name: str, column: Column) -> npt.NDArray[Any]:
     return Stored(values, index, packed.Count(), packed.First()).array(column)
 
 
+def mapping(path: str | Path) -> mmap.mmap:
+    """Map a file for reading. Raises OSError, and ValueError for an empty file."""
+    descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0))
+    try:
+        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        return mmap.mmap(descriptor, 0, access=mmap.ACCESS_READ)
+    finally:
+        os.close(descriptor)
+
+
 def open_compiled(path: str | Path, verify: bool = False) -> CompiledLevel:
     """Map a compiled level. Raises CompiledFileError with one sentence on what is wrong.
 
     Always checks that no offset and no index leads out of the file; `verify` compares the checksum too.
     """
-    file = Path(path)
     try:
-        with file.open("rb") as stream:
-            if file.stat().st_size == 0:
-                raise CompiledFileError(f"cannot read {path}: the file is empty")
-            data = memoryview(mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ))
+        data = memoryview(mapping(path))
+    except ValueError as error:
+        raise CompiledFileError(f"cannot read {path}: the file is empty") from error
     except OSError as error:
         raise CompiledFileError(f"cannot read {path}: {(error.strerror or str(error)).lower()}") from error
     return CompiledLevel(data, str(path), verify=verify)

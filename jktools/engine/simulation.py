@@ -45,6 +45,8 @@ class Phase(NamedTuple):
     """Set at once, JKU/s in the body's frame (x right, y forward, z up): what SetThingVel does. None for none."""
     sector_thrust: Vector | None = None
     """JKU/s^2 from now on, in sectors with the flag: what SetSectorThrust does. None to keep the last."""
+    extra_speed: float | None = None
+    """From now on: what SetActorExtraSpeed does. None to keep the last."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -315,6 +317,8 @@ def _begin(simulation: Simulation, phase: Phase) -> None:
         simulation.launch(phase.velocity)
     if phase.sector_thrust is not None:
         simulation.world = replace(simulation.world, sector_thrust=phase.sector_thrust)
+    if phase.extra_speed is not None:
+        simulation.world = replace(simulation.world, extra_speed=phase.extra_speed)
 
 
 def _warnings(simulation: Simulation, dt: float) -> tuple[str, ...]:

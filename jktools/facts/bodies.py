@@ -44,8 +44,8 @@ class Walker:
 
     @property
     def title(self) -> str:
-        """For messages: its first template, and how many more there are."""
-        more = f" and {len(self.names) - 1} more" if len(self.names) > 1 else ""
+        """For messages, with a verb in the singular: its first template, and how many more have the same body."""
+        more = f" (and {len(self.names) - 1} more)" if len(self.names) > 1 else ""
         return f"{self.names[0]}{more}"
 
     def hover(self, engine: Engine) -> float:

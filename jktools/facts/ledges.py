@@ -150,7 +150,7 @@ class Ledges:
         most, least = np.full(len(self), -np.inf), np.full(len(self), np.inf)
         np.fmax.at(most, way, self.deepest)
         np.fmin.at(least, way, self.least)
-        return (most - least)[way]
+        return np.asarray((most - least)[way])
 
     def middle(self, row: int) -> tuple[float, float, float]:
         """A point of the edge, JKU."""

@@ -8,6 +8,7 @@
     4    surface non-floor   every floor becomes this
     4    velocity 0 1 0      JKU/s to the right, forward and up, at once: what SetThingVel does
     4    sector-thrust 0 0 8 JKU/s^2 along the level's x, y, z in its sectors with thrust: what SetSectorThrust does
+    4    extra-speed 1       added to the thrust of held keys: what SetActorExtraSpeed does
     5    release             all keys but crouch
     6    end                 where the trace ends; # starts a comment
 
@@ -98,6 +99,11 @@ class _Reader:
                 blank._replace(velocity=vector) if action == "velocity" else blank._replace(sector_thrust=vector)
             )
             return
+        elif action == "extra-speed":
+            if len(rest) != 1:
+                raise ScriptError("extra-speed takes one number")
+            self.phases.append(Phase(time, self.keys, extra_speed=_number(rest[0])))
+            return
         elif rest:
             raise ScriptError(f"{action} takes no {rest[0]}")
         elif action in ("crouch", "stand"):
@@ -115,7 +121,7 @@ class _Reader:
         return self.treads or [Tread(0.0, 0.0)]
 
 
-_PLAIN = ("release", "crouch", "stand", "jump", "surface", "velocity", "sector-thrust", "end")
+_PLAIN = ("release", "crouch", "stand", "jump", "surface", "velocity", "sector-thrust", "extra-speed", "end")
 
 
 def parse(text: str) -> Script:

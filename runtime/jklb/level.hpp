@@ -12,8 +12,6 @@
 
 namespace jklb {
 
-inline constexpr unsigned kFormatMajor = 1, kFormatMinor = 2;
-
 // What a damaged file is refused for is told; a file that opens can be read everywhere without another check. The
 // checksum is not compared: `jktools inspect --verify` does that.
 class Level {
@@ -59,8 +57,6 @@ public:
     }
 
 private:
-    static constexpr unsigned kTextSince = 2;  // the minor version that brought Level.text
-
     bool has_text() const { return root_->format_minor() >= kTextSince; }
 
     // What is wrong with a buffer, or nothing.

@@ -3,8 +3,10 @@
 // Costs a fraction of a millisecond and, for each corner of a surface, 24 bytes and a few more.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "level.hpp"
@@ -33,7 +35,10 @@ enum : std::uint32_t {
 class Mesh {
 public:
     explicit Mesh(const Level& level) : Mesh(level.geometry()) {}
-    explicit Mesh(const Geometry& g) { take_surfaces(g), take_sectors(g), take_ways(g); }
+    explicit Mesh(const Geometry& g) {
+        const std::vector<float> vertices = g.vertices.all();
+        take_surfaces(g, vertices), take_sectors(g, vertices), take_ways(g);
+    }
 
     Index sectors() const { return static_cast<Index>(known_.size()); }
     Index surfaces() const { return static_cast<Index>(leads_to_.size()); }
@@ -65,6 +70,12 @@ public:
     Index corners(Index surface) const { return start_[index(surface) + 1] - start_[index(surface)]; }
     Point corner(Index surface, Index i) const { return &corner_[3 * index(start_[index(surface)] + i)]; }
 
+    // The least and the greatest corner of a surface's box.
+    struct Box {
+        double low[3], high[3];
+    };
+    const Box& box(Index surface) const { return box_[index(surface)]; }
+
     // Whether a point can be asked about, from a sector.
     bool takes(Index sector) const { return sector >= 0 && sector < sectors(); }
     static bool takes(Point p) { return takes(p[0]) && takes(p[1]) && takes(p[2]); }
@@ -76,29 +87,53 @@ private:
     static bool takes(double x) { return std::abs(x) < kGreatest; }
     static std::size_t index(Index i) { return static_cast<std::size_t>(i); }
 
-    void take_surfaces(const Geometry& g) {
-        const std::size_t corners = g.corner_vertex.rows();
-        start_.resize(g.surface_flags.rows() + 1);
-        for (std::size_t i = 0; i < start_.size(); ++i) start_[i] = static_cast<Index>(g.surface_corner_start(i));
-        corner_.resize(3 * corners);
-        for (std::size_t i = 0; i < corners; ++i) {
-            const auto vertex = static_cast<std::size_t>(g.corner_vertex(i));
-            for (int k = 0; k < 3; ++k) corner_[3 * i + static_cast<std::size_t>(k)] = g.vertices(vertex, k);
-        }
+    void take_surfaces(const Geometry& g, const std::vector<float>& vertices) {
+        const std::vector<Index> own = g.corner_vertex.all();
+        const std::vector<std::uint32_t> start = g.surface_corner_start.all();
+        start_.assign(start.begin(), start.end());
+        corner_.resize(3 * own.size());
+        for (std::size_t i = 0; i < own.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) corner_[3 * i + k] = vertices[3 * index(own[i]) + k];
         degenerate_.resize(g.surface_flags.rows());
+        box_.resize(g.surface_flags.rows());
+        for (Index s = 0; s < static_cast<Index>(box_.size()); ++s) box_[index(s)] = box_around(s);
     }
 
-    void take_sectors(const Geometry& g) {
+    Box box_around(Index surface) const {
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+        for (Index i = 0; i < corners(surface); ++i)
+            for (int k = 0; k < 3; ++k) {
+                box.low[k] = std::min(box.low[k], corner(surface, i)[k]);
+                box.high[k] = std::max(box.high[k], corner(surface, i)[k]);
+            }
+        return box;
+    }
+
+    void take_sectors(const Geometry& g, const std::vector<float>& vertices) {
         const std::size_t count = g.sector_flags.rows();
+        const std::vector<std::uint8_t> finite = finite_sectors(g, vertices);
         known_.resize(count), under_water_.resize(count), first_.resize(count), end_.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             const Index first = g.sector_first_surface(i), end = first + g.sector_surface_count(i);
-            known_[i] = sound(first, end) && finite_vertices(g, i);
+            known_[i] = finite[i] && sound(first, end);
             if (known_[i]) mark_degenerate(first, end);
             first_[i] = known_[i] ? first : 0;
             end_[i] = known_[i] ? end : 0;
             under_water_[i] = (g.sector_flags(i) & kSectorUnderwater) != 0;
         }
+    }
+
+    // Whether all vertices that a sector lists are finite.
+    static std::vector<std::uint8_t> finite_sectors(const Geometry& g, const std::vector<float>& vertices) {
+        const std::vector<Index> own = g.sector_vertex.all();
+        const std::vector<std::uint32_t> start = g.sector_vertex_start.all();
+        std::vector<std::uint8_t> finite(g.sector_flags.rows(), 1);
+        for (std::size_t s = 0; s < finite.size(); ++s)
+            for (std::size_t i = start[s]; i < start[s + 1]; ++i)
+                for (std::size_t k = 0; k < 3; ++k)
+                    if (!std::isfinite(vertices[3 * index(own[i]) + k])) finite[s] = 0;
+        return finite;
     }
 
     bool sound(Index first, Index end) const {
@@ -118,13 +153,6 @@ private:
             }
             degenerate_[index(s)] = marks;
         }
-    }
-
-    static bool finite_vertices(const Geometry& g, std::size_t sector) {
-        for (std::size_t i = g.sector_vertex_start(sector); i < g.sector_vertex_start(sector + 1); ++i)
-            for (int k = 0; k < 3; ++k)
-                if (!std::isfinite(g.vertices(static_cast<std::size_t>(g.sector_vertex(i)), k))) return false;
-        return true;
     }
 
     // An adjoin leads into the sector whose surface carries its mirror.
@@ -148,6 +176,7 @@ private:
 
     std::vector<double> corner_;  // x y z of each, surface by surface
     std::vector<Index> start_, leads_to_, passes_to_, first_, end_;
+    std::vector<Box> box_;
     std::vector<std::uint32_t> degenerate_;  // bit i for triangle i
     std::vector<std::uint8_t> known_, under_water_;
 };

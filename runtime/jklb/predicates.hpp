@@ -81,25 +81,39 @@ inline Signed orient3d(Point a, Point b, Point c, Point p) {
     return {value, error, sign};
 }
 
+namespace detail {
+
+// orient2d as doubles have it. The bound as above: 2 u for the products and their difference, 2 u for the differences;
+// 6 u leaves room.
+inline Signed rough_orient2d(Point a, Point b, Point p, int x, int y) {
+    const double left = (a[x] - p[x]) * (b[y] - p[y]), right = (a[y] - p[y]) * (b[x] - p[x]), value = left - right;
+    const double error = 6 * kUnit * (std::abs(left) + std::abs(right)) + kUnderflow;
+    return {value, error, (value > error) - (value < -error)};
+}
+
+}  // namespace detail
+
 // Twice the area of a, b, p as seen along the third axis: positive when p lies to the left of the way from a to b in
 // the plane of the axes x and y, 0 to 2.
-//
-// The bound as above: 2 u for the products and their difference, 2 u for the differences; 6 u leaves room.
 inline Signed orient2d(Point a, Point b, Point p, int x = 0, int y = 1) {
-    const double ax = a[x] - p[x], ay = a[y] - p[y], bx = b[x] - p[x], by = b[y] - p[y];
-    const double left = ax * by, right = ay * bx, value = left - right;
-    const double error = 6 * detail::kUnit * (std::abs(left) + std::abs(right)) + detail::kUnderflow;
-    if (value > error) return {value, error, 1};
-    if (value < -error) return {value, error, -1};
-    if ((ax == 0 && bx == 0) || (ay == 0 && by == 0) || (ax == 0 && ay == 0) || (bx == 0 && by == 0)) return {0, 0, 0};
-    const int sign = detail::fit({a, b, p}) ? detail::turn<Expansion>(a, b, p, x, y).sign()
-                                            : detail::turn<Dyadic>(a, b, p, x, y).sign();
-    return {value, error, sign};
+    Signed out = detail::rough_orient2d(a, b, p, x, y);
+    if (out.sign) return out;
+    if ((a[x] == p[x] && b[x] == p[x]) || (a[y] == p[y] && b[y] == p[y]) || (a[x] == p[x] && a[y] == p[y]) ||
+        (b[x] == p[x] && b[y] == p[y]))
+        return {0, 0, 0};
+    out.sign = detail::fit({a, b, p}) ? detail::turn<Expansion>(a, b, p, x, y).sign()
+                                      : detail::turn<Dyadic>(a, b, p, x, y).sign();
+    return out;
 }
 
 // Whether three points lie on one line: seen along every axis.
 inline bool collinear(Point a, Point b, Point c) {
-    return orient2d(a, b, c, 0, 1).sign == 0 && orient2d(a, b, c, 1, 2).sign == 0 && orient2d(a, b, c, 2, 0).sign == 0;
+    constexpr int kAxes[][2] = {{0, 1}, {1, 2}, {2, 0}};
+    for (const auto& [x, y] : kAxes)
+        if (detail::rough_orient2d(a, b, c, x, y).sign) return false;
+    for (const auto& [x, y] : kAxes)
+        if (orient2d(a, b, c, x, y).sign) return false;
+    return true;
 }
 
 // A way from a point: to another, or without one straight down, 1 JKU for t = 1.
@@ -161,20 +175,20 @@ inline bool odd(double x) {
     return bits & 1;
 }
 
-// The double nearest to above / fall, ties to even: `near` moved until neither neighbour is nearer. Positive numbers.
+// The double nearest to above / fall, ties to even: `guess` moved until neither neighbour is nearer. Positive numbers.
 template <typename Number>
-double nearest(const Fraction<Number>& t, double near) {
+double nearest(const Fraction<Number>& t, double guess) {
     const Number twice = t.above + t.above;
     for (bool up : {true, false})
         for (;;) {
-            const double other = near == 0 && !up ? near : next(near, up);
-            if (other == near) break;
+            const double other = guess == 0 && !up ? guess : next(guess, up);
+            if (other == guess) break;
             // Whether above / fall lies beyond the middle between the two.
-            const int beyond = (twice - Number::difference(near, -other) * t.fall).sign() * (up ? 1 : -1);
-            if (beyond < 0 || (beyond == 0 && !odd(near))) break;
-            near = other;
+            const int beyond = (twice - Number::difference(guess, -other) * t.fall).sign() * (up ? 1 : -1);
+            if (beyond < 0 || (beyond == 0 && !odd(guess))) break;
+            guess = other;
         }
-    return near;
+    return guess;
 }
 
 }  // namespace detail
@@ -203,8 +217,8 @@ inline double depth(const Meeting& met, const Way& way) {
     if (met.above.sign == 0) return 0;
     if (detail::fit(t, way)) {
         const detail::Fraction<Expansion> exact(t, way);
-        const double near = exact.above.about() / exact.fall.about();
-        if (near > 0x1p-600) return detail::nearest(exact, near);  // its last bit times `fall` does not underflow
+        const double guess = exact.above.about() / exact.fall.about();
+        if (guess > 0x1p-600) return detail::nearest(exact, guess);  // its last bit times `fall` does not underflow
     }
     const detail::Fraction<Dyadic> exact(t, way);
     return detail::nearest(exact, rough_quotient(exact.above, exact.fall));

@@ -11,6 +11,12 @@
 
 namespace jklb {
 
+// Files of this major version are read, of later minor versions what was there before.
+inline constexpr unsigned kFormatMajor = 1, kFormatMinor = 2;
+
+// The minor version that brought Level.text and the columns of omissions.
+inline constexpr unsigned kTextSince = 2;
+
 struct Text {
     Column<std::uint8_t> text;
     Column<std::uint32_t> text_start;

@@ -15,12 +15,11 @@ from jktools.facts import LevelFacts
 from jktools.facts.ledges import Kind
 from jktools.geometry import SectorMesh
 from jktools.model import Level
-from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
+from tests.support.halls import halls
+from tests.support.levels import TWO_ROOMS, corpus_files, level_of, two_rooms
 
-SMITHDEV = (ROOT / "fixtures/smithdev/smithdev.jkl").read_text("ascii")
 FIXTURES = {
     "two rooms": TWO_ROOMS,
-    "smithdev": SMITHDEV,
     "a vertex beyond float32": two_rooms("World vertices 12", "11: 1e39 2 1"),
     "a surface of 25 corners": two_rooms(
         "World surfaces 12", "6: 0 0x4 0x4 4 3 1 -1 0 25 " + " ".join(["3,0 2,1 8,2 9,3 3,0"] * 5) + " 1" * 25
@@ -48,6 +47,10 @@ def test_its_mesh_answers_as_the_level_does(name: str) -> None:
     assert_answers_as(level_of(FIXTURES[name]))
 
 
+def test_its_mesh_answers_as_the_halls_do() -> None:
+    assert_answers_as(halls())
+
+
 def test_its_mesh_answers_as_a_real_level_does(corpus: Path) -> None:
     assert_answers_as(level_of(dict(corpus_files())["namekwaters.jkl"]))
 
@@ -60,12 +63,12 @@ def test_what_the_engine_would_not_load_is_not_known() -> None:
 
 
 def test_ledges_are_found_by_edge_and_place() -> None:
-    level = level_of(SMITHDEV)
+    level = halls()
     facts, compiled = LevelFacts(level), CompiledLevel(compile_level(level))
     (body,) = facts.bodies
     found = facts.ledges(body, Engine("research"), "balanced")
     listed = np.flatnonzero(found.kind != Kind.LEVEL)
-    assert len(listed) > 50
+    assert len(listed) > 20
     for row in listed.tolist():
         edge = (0, int(found.surface[row]), int(found.corner[row]))
         middle = (found.start[row] + found.end[row]) / 2
@@ -81,7 +84,7 @@ def test_ledges_are_found_by_edge_and_place() -> None:
 
 
 def test_basins_are_found_by_body() -> None:
-    compiled = CompiledLevel(compile_level(level_of(SMITHDEV)))
+    compiled = CompiledLevel(compile_level(halls()))
     assert compiled.basins is not None
     (basin,) = compiled.basins_of(0)
     assert list(basin.surfaces) == compiled.basins.surface.tolist()

@@ -30,7 +30,9 @@ def angles_of(smithdev: Experiment, thing: str) -> Float64:
 def template_of(smithdev: Experiment, thing: str) -> str:
     held = smithdev.level.things
     assert held is not None
-    return smithdev.level.strings[held.template[np.flatnonzero(held.source == smithdev.thing(f"{ROOM}/{thing}"))[0]]]
+    return str(
+        smithdev.level.strings[held.template[np.flatnonzero(held.source == smithdev.thing(f"{ROOM}/{thing}"))[0]]]
+    )
 
 
 def made(smithdev: Experiment, cog: str, how: Creation) -> list[Float64]:

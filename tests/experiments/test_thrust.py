@@ -47,6 +47,22 @@ def test_text_1_running_and_crouching(trace: Run, way: str, engine: str) -> None
     assert walk.thrust[40] == exactly(axis_of(way, crouching))
 
 
+@pytest.mark.parametrize(
+    ("start", "keys", "thrust"),
+    [
+        (WELL, "walk forward", [0, 2 + 0.5, 0]),
+        (WELL, "walk left", [-(1.4 + 0.5), 0, 0]),
+        (WELL, "walk back", [0, -(1 + 0.5), 0]),
+        (WELL, "run forward", [0, 2 * (2 + 0.5), 0]),
+        ("velocity_hallway/start of no floor", "walk forward", [0, 0.3 * (2 + 0.5), 0]),
+    ],
+)
+def test_text_1_extra_speed(trace: Run, start: str, keys: str, thrust: list[float]) -> None:
+    """SetActorExtraSpeed 'simply adds value (BEFORE any other mod)', and 'AFTER' the direction's factor."""
+    walk = trace(f"0 extra-speed 0.5\n0 {keys}\n0.5 end", start, "--body", "walkplayer")
+    assert walk.thrust[-1].tolist() == exactly(thrust)
+
+
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("start", ["velocity_hallway/start of floor", "pit_rows/before 0.120114 0.11"])
 def test_thrust_is_read_in_the_look_and_acts_along_it(

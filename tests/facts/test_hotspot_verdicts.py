@@ -102,6 +102,16 @@ def test_what_is_created_may_come_between() -> None:
     assert both(*ALONE, templates=smoke, things=["31: bomb bomb .9 .9 .9 0 0 0 0"]) == [VARIES, ALWAYS]
 
 
+def test_what_a_script_makes_solid_may_block() -> None:
+    mat, aside = ("mat none type=cog size=.1",), ["30: mat mat .9 .9 .9 0 0 0 0"]
+    assert both(*ALONE, code="SetCollideType(30, 1)", templates=mat, things=aside) == [VARIES, VARIES]
+    assert both(*ALONE, code="SetThingLight(30, 1, 0)", templates=mat, things=aside) == [ALWAYS, ALWAYS]
+
+
+def test_what_is_done_to_the_player_is_done_to_nobody_else() -> None:
+    assert both(*SHUT, code="DestroyThing(GetLocalPlayerThing())") == [NEVER, NEVER]
+
+
 def test_what_moves_may_come_between() -> None:
     lift = ("lift none type=cog collide=1 size=.1 move=path",)
     assert both(*ALONE, templates=lift, things=["31: lift lift .9 .9 .9 0 0 0 0"]) == [VARIES, VARIES]

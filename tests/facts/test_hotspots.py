@@ -319,6 +319,17 @@ def test_messages_are_followed_to_the_cog_that_a_value_names() -> None:
     assert [(h.calls_per_second, h.more) for h in two_scripts(wrong, ASKED)] == [(0, False)]
 
 
+@pytest.mark.parametrize(("others", "more"), [
+    ([], False), (["activated: return;"], False), (["activated: i = 0; return;"], True),
+    (["activated: k[Rand()] = 0; return;"], True), (["timer: i = 0; return;"], False),
+])  # fmt: skip
+def test_a_counter_that_a_handler_in_between_can_set_back_is_told(others: list[str], more: bool) -> None:
+    tick = ["startup: SetPulse(1); SetTimer(1); return;",
+            "pulse: for (i = 0; i < 3; i = i + 1) SendMessage(other, user0); return;"]  # fmt: skip
+    (found,) = two_scripts([*tick, *others], ASKED)
+    assert (found.calls_per_second, found.more) == (3, more)
+
+
 def test_messages_of_one_script_wake_loops_of_another() -> None:
     tick = ["startup: SetPulse(0.5); return;", "pulse: SendMessage(other, user1); return;"]
     loop = ["startup: while (1) {", LOOK, "Sleep(0.25);", "} return;", "user1: Sleep(1); return;"]
@@ -332,6 +343,13 @@ def test_messages_to_a_cog_that_is_not_known_are_told(target: str) -> None:
     (found,) = two_scripts(tick, ASKED)
     assert found.more
     assert [h.more for h in two_scripts([line.replace("user0", "user1") for line in tick], ASKED)] == [False]
+
+
+@pytest.mark.parametrize("verb", ["SetThingClassCog(20, other)", "SetThingCaptureCog(20, other)"])
+def test_a_script_that_a_thing_is_given_to_gets_messages_that_are_not_known(verb: str) -> None:
+    for given, told in ((verb, True), (verb.replace("other", "-1"), False)):
+        (found,) = two_scripts([f"activated: {given}; return;"], [f"pulse: {LOOK} return;"])
+        assert found.more is told
 
 
 def test_what_is_not_known_is_passed_on() -> None:

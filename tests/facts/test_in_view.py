@@ -82,6 +82,8 @@ def test_translucent_surfaces_count_where_they_are_adjoined_drawn_and_face_the_c
     # On the screen or not.
     assert camera(*GLASS).frame(0, MIDDLE, SOUTH).translucent == 1
     assert camera(*OPEN).frame(0, MIDDLE, NORTH).translucent == 0
+    undrawn = ("World surfaces 12", "3: 0 0x0 0x2 0 3 1 0 0 4 3,0 2,1 6,2 7,3 1 1 1 1")
+    assert camera(*undrawn).frame(0, MIDDLE, NORTH) == Frame(2, 0, 0)
     wall = ("World surfaces 12", "9: 0 0x4 0x2 4 3 1 -1 0 4 9,0 8,1 10,2 11,3 1 1 1 1")
     assert camera(*wall).frame(1, NEXT, NORTH).translucent == 0
 

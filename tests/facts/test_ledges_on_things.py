@@ -60,8 +60,8 @@ def ledges(level: Level, accuracy: str = "balanced") -> Ledges:
 @pytest.mark.parametrize(
     ("height", "kind"),
     [
-        (0.0, Kind.LEVEL), (-0.1, Kind.SEAMLESS), (-0.3, Kind.FALL), (0.05, Kind.STEP), (0.065, Kind.LIP), (0.1, Kind.JUMP),
-        (0.3, Kind.JUMP), (0.5, Kind.WALL),
+        (0.0, Kind.LEVEL), (-0.1, Kind.SEAMLESS), (-0.3, Kind.FALL), (0.05, Kind.STEP), (0.065, Kind.LIP),
+        (0.1, Kind.JUMP), (0.3, Kind.JUMP), (0.5, Kind.WALL),
     ],
 )  # fmt: skip
 @pytest.mark.parametrize("accuracy", ["balanced", "exact"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import tomllib
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from jktools.engine.profile import Engine
 from jktools.engine.simulation import Simulation
 from jktools.engine.thrust import Keys
 from jktools.facts.motion import FPS_RANGE, Motion, bodies, gravity_of, motions
-from tests.support.levels import level_of, two_rooms
+from tests.support.levels import ROOT, level_of, two_rooms
 
 PLAYER = (
     "walkplayer none type=player move=physics size=.065 physflags=0x4a4f mass=150 maxthrust=2 surfdrag=3 airdrag=.5 "
@@ -37,6 +38,34 @@ def test_speeds_are_those_of_the_document() -> None:
     assert found.air == pytest.approx(1.2)
     # 0.6 of the thrust against four times the air drag.
     assert found.swim == pytest.approx(0.6)
+
+
+GOLDEN = tomllib.loads((ROOT / "tests/engine/golden.toml").read_text())
+
+
+def test_the_documents_figures_are_met() -> None:
+    """Speeds are thrust over drag; the factors of each gait, and the plots within what they can be read to."""
+    body, thrust, steady = (GOLDEN[key] for key in ("walkplayer", "thrust", "steady_speed"))
+    words = (f"{key}={body[key]}" for key in ("staticdrag", "surfdrag", "airdrag", "maxthrust"))
+    found = motion(f"hero none type=player move=physics physflags=0x4a4f mass=150 maxvel=1 {' '.join(words)}")
+    on_floor, in_air = body["maxthrust"] / body["surfdrag"], body["maxthrust"] / body["airdrag"]
+    expected = {
+        "walk": thrust["forward"]["factor"] * on_floor,
+        "back": -thrust["backward"]["factor"] * on_floor,
+        "strafe": thrust["strafe_right"]["factor"] * on_floor,
+        "run": thrust["run_factor"] * on_floor,
+        "crouch": thrust["crouch_factor"] * on_floor,
+        "air": thrust["unattached_factor"] * in_air,
+    }
+    assert {name: getattr(found, name) for name in expected} == pytest.approx(expected)
+    for name, plot in (("walk", steady["walk_floor"]), ("air", steady["walk_non_floor"])):
+        assert getattr(found, name) == pytest.approx(plot["speed"], abs=plot["tolerance"])
+    for bodies_thrust in (
+        GOLDEN["actor_thrust"]["powerdroid_maxthrust"],
+        GOLDEN["actor_thrust"]["robotsentry_maxthrust"],
+    ):
+        actor = motion(f"droid none type=actor move=physics physflags=0x4f mass=1 surfdrag=3 maxthrust={bodies_thrust}")
+        assert actor.walk == pytest.approx(bodies_thrust / 3)
 
 
 def test_a_jump_rises_as_the_closed_form_says() -> None:

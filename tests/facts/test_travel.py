@@ -101,6 +101,13 @@ def test_of_an_unread_script_each_number_counts(values: str, sectors: list[int])
     assert visited(*SHUT, "World cogs 1", f"0: door.cog {values}") == sectors
 
 
+def test_a_number_of_an_unread_script_may_mean_a_thing() -> None:
+    """Surface 5 is of sector 0, and there is no sector 5; thing 5 stands in sector 1."""
+    goal = ["World things 9", "5: ghost ghost .5 1.5 .5 0 0 0 1"]
+    assert visited(*SHUT, *goal, "World cogs 1", "0: door.cog 5") == [0, 1]
+    assert visited(*SHUT, "World cogs 1", "0: door.cog 5") == [0]
+
+
 def test_a_class_cog_sends_whoever_touches_its_thing() -> None:
     gate = ["World templates 4", "gate none type=cog cog=x.cog", "World things 4", "2: gate gate .5 .5 .5 0 0 0 0"]
     goal = ["3: gate gate .5 1.5 .5 0 0 0 1"]
@@ -126,6 +133,7 @@ def test_lifts_are_boarded_where_one_comes_to() -> None:
     # 0 -> 1, lift of 1 and 3, 3 -> 4; nothing leads to 2 or to the lift of 2 and 5.
     ways: list[list[int]] = [[1], [], [0], [4], [], []]
     assert reached(ways, [0], [frozenset({1, 3}), frozenset({2, 5})]) == {0, 1, 3, 4}
+    assert reached([[], [], []], [2], [frozenset({0, 2})]) == {0, 2}
 
 
 # ---- islands

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from collections.abc import Iterator
 
 import numpy as np
@@ -12,6 +13,7 @@ from hypothesis import strategies as st
 
 from benchmarks.ledge_disagreement import GAIT, compare
 from benchmarks.ledge_tiers import differing
+from jktools._native_geometry import Strides  # noqa: TID251 (its own test)
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
 from jktools.engine.ground import Tread
@@ -22,7 +24,7 @@ from jktools.facts import LevelFacts
 from jktools.facts.bodies import Walker
 from jktools.facts.ledges import Kind, Ledges
 from jktools.geometry.components import components
-from jktools.geometry.ledges import BEYOND, EdgeWalker
+from jktools.geometry.ledges import BEYOND, Beyond, EdgeWalker, Over
 from jktools.model import Level
 from tests.support import terraces as support
 from tests.support.levels import CORPUS, corpus_files, level_of, two_rooms
@@ -66,7 +68,10 @@ def across(
     ],
 )
 def test_pits_as_the_document_measured_them(depth: float, down: Kind, up: Kind) -> None:
-    """Detachment at a depth of 0.2, none at 0.11 and 0.112, the changeover at 0.1851 to 0.1852; a jump of 0.28. The lips are simulated."""
+    """Detachment at a depth of 0.2, none at 0.11 and 0.112, the changeover at 0.1851 to 0.1852; a jump of 0.28.
+
+    The lips are simulated.
+    """
     found = across(pit(depth))
     rim = [kind for sector, kind, _, drop in found if sector != 1 and drop > 0]
     assert rim == [down, down]
@@ -260,6 +265,51 @@ def test_balanced_says_what_exact_says() -> None:
         assert [piece for piece in differing(edges, balanced, exact) if piece > BEYOND] == [], name
         compared += len(exact.edge)
     assert compared > 200
+
+
+def hollow() -> tuple[Strides, list[int]]:
+    """A room with floors from x = 0 to 1 and 2 to 3, and a hollow between them that is no deeper than its slopes."""
+    places = itertools.product((0, 1, 1.5, 2, 3), (0, 1), (-0.02, 0, 1))
+    ends = {place: i for i, place in enumerate(places)}
+
+    def flat(left: float, right: float, z: float) -> list[int]:
+        return [ends[p] for p in ((left, 0, z), (right, 0, z), (right, 1, z), (left, 1, z))]
+
+    rings = [
+        (flat(0, 1, 0), -1), (flat(1, 2, 0), 1), (flat(2, 3, 0), -1), (flat(0, 3, 1)[::-1], -2),
+        ([ends[p] for p in ((0, 0, 0), (0, 0, 1), (3, 0, 1), (3, 0, 0))], -2),
+        ([ends[p] for p in ((3, 1, 0), (3, 1, 1), (0, 1, 1), (0, 1, 0))], -2),
+        ([ends[p] for p in ((0, 1, 0), (0, 1, 1), (0, 0, 1), (0, 0, 0))], -2),
+        ([ends[p] for p in ((3, 0, 0), (3, 0, 1), (3, 1, 1), (3, 1, 0))], -2),
+        (flat(1, 2, 0)[::-1], 0),
+        ([ends[p] for p in ((1, 0, 0), (1.5, 0, -0.02), (1.5, 1, -0.02), (1, 1, 0))], -1),
+        ([ends[p] for p in ((1.5, 0, -0.02), (2, 0, 0), (2, 1, 0), (1.5, 1, -0.02))], -1),
+        ([ends[p] for p in ((1, 0, 0), (2, 0, 0), (1.5, 0, -0.02))], -2),
+        ([ends[p] for p in ((2, 1, 0), (1, 1, 0), (1.5, 1, -0.02))], -2),
+    ]  # fmt: skip
+    numbers = np.cumsum([0, *(len(ring) for ring, _ in rings)]).astype(np.int32)
+    corners = np.concatenate([ring for ring, _ in rings]).astype(np.int32)
+    none = np.zeros(0, np.int32)
+    strides = Strides(
+        np.array(list(ends), np.float64).ravel(), numbers, corners, np.array([leads for _, leads in rings], np.int32),
+        np.zeros(2, np.uint8), np.array([0, 8], np.int32), np.array([8, 5], np.int32),
+        np.zeros(0), np.zeros(1, np.int32), none, none, np.zeros(0, np.uint8),
+    )  # fmt: skip
+    return strides, [9, 10]
+
+
+def test_from_the_rim_of_a_hollow_the_floor_around_it_is_level() -> None:
+    """At its rim the hollow's sector has no height: the way up leaves it before it goes anywhere."""
+    strides, slopes = hollow()
+    edge = [np.array(column, np.int32) for column in (slopes, [-1, -1], [3, 1])]
+    for found in (
+        strides.ledges(*edge, np.zeros(0, np.uint8), *GAIT, 0, 1),
+        strides.exact_ledges(*edge, np.zeros(0, np.uint8), *GAIT, 1),
+    ):
+        beyond = Beyond(*found)
+        assert beyond.over.tolist() == [Over.FLOOR] * 2
+        assert beyond.met.tolist() == [0, 2]
+        assert beyond.drop_start.tolist() == beyond.drop_end.tolist() == [0, 0]
 
 
 def test_exact_measures_pits_and_slopes() -> None:

@@ -53,6 +53,7 @@ def test_64_particle_files(count: int, told: bool) -> None:
 ])  # fmt: skip
 def test_256_particles(line: str, told: bool) -> None:
     assert bool(messages("JK805", "World templates 4", line)) is told
+    assert messages("JK805", "World templates 4", f"{line} particle=ball.par") == []
 
 
 def test_cog_places_are_counted_behind_those_that_are_placed() -> None:

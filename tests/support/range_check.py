@@ -1,4 +1,4 @@
-"""The range check: that every index of a compiled level counts something that is there."""
+"""The range check of compiled levels in numpy, apart from the native one that the reader uses: the two must agree."""
 
 from __future__ import annotations
 

@@ -26,6 +26,7 @@ def test_every_line() -> None:
         5    slow right
         5.5  velocity 0 -1 .5
         6    sector-thrust 0 0 8
+        6    extra-speed -0.5
         6.25 end
         """
     )
@@ -44,6 +45,7 @@ def test_every_line() -> None:
         Phase(5, (slow := Keys(strafe=1, slow=True))),
         Phase(5.5, slow, velocity=(0, -1, 0.5)),
         Phase(6, slow, sector_thrust=(0, 0, 8)),
+        Phase(6, slow, extra_speed=-0.5),
     )
 
 
@@ -66,6 +68,7 @@ def test_flat_ground_without_floor_lines() -> None:
         ("\n0 fly", "line 2: fly is no action: walk, run, slow, release, crouch, stand, jump, surface, velocity, "),
         ("0 velocity 1", "line 1: velocity takes three numbers"),
         ("0 sector-thrust 0 0 up", "line 1: up is no number"),
+        ("0 extra-speed", "line 1: extra-speed takes one number"),
         ("0 surface lava", "line 1: lava is no surface: floor, non-floor, icy, very-icy"),
         ("0 surface", "line 1: surface takes one name"),
         ("0 jump high", "line 1: jump takes no high"),

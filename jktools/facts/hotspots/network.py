@@ -9,17 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 from jktools.facts.cog import ranges
+from jktools.facts.cog.lowering import Op
 from jktools.facts.cog.rates import LEAST_DELAY, PULSE, TIMER, TRIGGER, Site
-from jktools.facts.cog.repeats import NEVER, Counter, Repeats
+from jktools.facts.cog.repeats import NEVER, VIEWS, Counter, Repeats
 from jktools.facts.hotspots.clocks import turns_off_own_pulse, turns_off_pulse_of_sender
 from jktools.facts.hotspots.runners import Runner
 from jktools.facts.hotspots.traces import Leaf, leaves
 from jktools.facts.reachability import OF_STATIC
 from jktools.model.cog.messages import LAST_SENDABLE
 from jktools.model.cog.program import Handler
+from jktools.model.cog.values import to_int
 from jktools.syntax.cog.nodes import Call, Expression
 
 CREATES = frozenset(
@@ -42,7 +45,11 @@ NOT_BY_THINGS = frozenset(
     {"startup", "loading", "shutdown", "newplayer", "join", "leave", "trigger", *(f"user{i}" for i in range(8))}
 )
 """Messages whose sender is no thing, or need not be one."""
-_CLASS_SETTER = "setthingclasscog"
+_CARRYING = frozenset({"setthingclasscog", "setthingcapturecog"})
+_ARMING = "setcogflags"
+_ANY_ENTRY = -1
+ARMED = 0xC
+"""Flags of a COG: its pulse, its timer is set."""
 
 
 class Node(NamedTuple):
@@ -170,8 +177,10 @@ class Network:
             self._set_things(sender, site, *_OF_THINGS[name])
         elif name in _MESSAGES or name == "sendtrigger":
             self._message(sender, site)
-        elif name == _CLASS_SETTER:
+        elif name in _CARRYING:
             self._carries(sender, site)
+        elif name == _ARMING:
+            self._arms(sender, site)
         if len(self.inputs) > before:
             yield from list(self.inputs)[before:]
 
@@ -317,11 +326,20 @@ class Network:
         return None if self._first_free <= number < OF_STATIC else set()
 
     def _carries(self, sender: Node, site: Site) -> None:
-        """A thing that takes on a class COG sends it all that happens to it."""
+        """A thing that takes on a class COG, or is captured for one, sends it all that happens to it."""
         targets, known = self._cogs(sender.runner, site, 1)
         for node in self.nodes:
             if node.runner in targets or not known:
                 self._reached(node).open = True
+
+    def _arms(self, sender: Node, site: Site) -> None:
+        """The flags of a COG that arm its pulse or timer do so at an interval of which nothing is known."""
+        flags = site.arguments[1].number
+        targets, known = self._cogs(sender.runner, site)
+        if flags is None or to_int(flags) & ARMED:
+            for node in self.nodes:
+                if _handler(node).message.id in (PULSE, TIMER) and (node.runner in targets or not known):
+                    self._reached(node).open = True
 
     # ---- what is not known
 
@@ -330,25 +348,62 @@ class Network:
         quiet = {PULSE, TIMER} - self._beating
         for node, inputs in self.inputs.items():
             inputs.open |= node.runner.more and _handler(node).message.id not in quiet
-        opened = {node for node, inputs in self.inputs.items() if inputs.open}
         grown = True
         while grown:
-            asleep = {node.runner for node in opened}
-            more = {
-                node
-                for node, inputs in self.inputs.items()
-                if node not in opened and any(self._is_loose(s, opened, asleep) for s in inputs.messages)
-            }
-            opened |= more
+            opened = {node.runner for node, inputs in self.inputs.items() if inputs.open}
+            more = [
+                inputs
+                for inputs in self.inputs.values()
+                if not inputs.open and any(self.is_loose(s) or self._wakes(s, opened) for s in inputs.messages)
+            ]
+            for inputs in more:
+                inputs.open = True
             grown = bool(more)
-        for node in opened:
-            self.inputs[node].open = True
 
-    def _is_loose(self, sending: Sending, opened: set[Node], asleep: set[Runner]) -> bool:
-        """Whether a call can happen more often than is known; a message that finds a script asleep adds turns."""
-        if sending.sender in opened:
+    def is_loose(self, sending: Sending) -> bool:
+        """Whether a call can happen more often than is known."""
+        return self.inputs[sending.sender].open or self.may_be_disturbed(sending.sender, sending.site)
+
+    def _wakes(self, sending: Sending, opened: set[Runner]) -> bool:
+        """Whether a message that is not known can add a turn to a loop that sleeps around a call."""
+        return sending.sender.runner in opened and self.passes(sending.sender, sending.site).per_interruption > 0
+
+    def may_be_disturbed(self, node: Node, site: Site) -> bool:
+        """Whether a loop on the way to a call can turn more often, by what a verb in it makes run in between.
+
+        That can begin the list of the things in view anew, which all scripts share, or set a counter back.
+        """
+        if self.passes(node, site).per_run == node.runner.analysis.rates.repeats_of(node.label, site).per_run:
+            return False
+        if any(other != node or not self._is_clocked(other) for other in self._looking):
             return True
-        return sending.sender.runner in asleep and self.passes(sending.sender, sending.site).per_interruption > 0
+        own = _stored(node) | {_ANY_ENTRY}
+        return any(
+            other.runner is node.runner and not self._is_clocked(other) and own.intersection(_stored(other))
+            for other in self.live
+        )
+
+    @cached_property
+    def _looking(self) -> list[Node]:
+        return [
+            node
+            for node in self.live
+            if any(s.verb.name in VIEWS and s.block in self.repeats[node.runner][node.label]
+                   for s in node.runner.analysis.rates.sites)
+        ]  # fmt: skip
+
+    def _is_clocked(self, node: Node) -> bool:
+        """Whether nothing but clocks make a handler run, which no verb does in between."""
+        inputs = self.inputs[node]
+        return not inputs.events and not inputs.messages and not inputs.open
+
+
+def _stored(node: Node) -> set[int]:
+    """The symbols that a handler can assign to; what is assigned to entries of an array can be any."""
+    each = node.runner.analysis
+    blocks = each.reach.handler_blocks[node.label] & each.known.visited
+    code = [(op, arg) for i in blocks for op, arg, _ in each.flow.blocks[i].code]
+    return {arg if op is Op.STORE else _ANY_ENTRY for op, arg in code if op in (Op.STORE, Op.STORE_AT)}
 
 
 def _repeats(runner: Runner, frames: float) -> Mapping[str, Mapping[int, Repeats]]:

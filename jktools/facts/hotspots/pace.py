@@ -17,9 +17,9 @@ from functools import cached_property
 from typing import NamedTuple, TypeVar
 
 from jktools.facts.cog import ranges
-from jktools.facts.cog.lowering import Block, Op
+from jktools.facts.cog.lowering import Block
 from jktools.facts.cog.rates import Site, apart
-from jktools.facts.cog.repeats import VIEWS, Repeats, endless_parts
+from jktools.facts.cog.repeats import Repeats, endless_parts
 from jktools.facts.hotspots.network import Clock, Inputs, Network, Node, Sending
 from jktools.facts.hotspots.runners import Runner
 from jktools.geometry.components import components
@@ -84,39 +84,10 @@ class Paces:
     def is_open(self, runner: Runner, label: str, site: Site) -> bool:
         """Whether a handler can come to a call more often than `calls` tells, by what is not known."""
         node = Node(runner, label)
-        if self.network.inputs[node].open or self._may_be_disturbed(node, site):
+        if self.network.inputs[node].open or self.network.may_be_disturbed(node, site):
             return True
         woken = self.passes(runner, label, site).per_interruption > 0
         return woken and any(self.network.inputs[n].open for n in self.network.live if n.runner is runner)
-
-    def _may_be_disturbed(self, node: Node, site: Site) -> bool:
-        """Whether a loop on the way to a call can turn more often, by what a verb in it makes run in between.
-
-        That can begin the list of the things in view anew, which all scripts share, or set a counter back.
-        """
-        if self.passes(*node, site) == node.runner.analysis.rates.repeats_of(node.label, site):
-            return False
-        if any(other != node or not self._is_clocked(other) for other in self._looking):
-            return True
-        own = _stored(node)
-        return any(
-            other.runner is node.runner and not self._is_clocked(other) and own.intersection(_stored(other))
-            for other in self.network.live
-        )
-
-    @cached_property
-    def _looking(self) -> list[Node]:
-        return [
-            node
-            for node in self.network.live
-            if any(s.verb.name in VIEWS and s.block in self.network.repeats[node.runner][node.label]
-                   for s in node.runner.analysis.rates.sites)
-        ]  # fmt: skip
-
-    def _is_clocked(self, node: Node) -> bool:
-        """Whether nothing but clocks make a handler run, which no verb does in between."""
-        inputs = self.network.inputs[node]
-        return not inputs.events and not inputs.messages and not inputs.open
 
     def asked(self, runner: Runner, label: str, site: Site) -> float:
         """The shortest interval, in seconds, that a clock or a sleep on the way to a call asks for; infinite without.
@@ -147,17 +118,17 @@ class Paces:
 
     def is_endless(self, runner: Runner, label: str, site: Site) -> bool:
         """Whether a loop around a call can be proven never to end, nor to sleep."""
-        each = runner.analysis
         inside = self.network.repeats[runner][label]
-        parts = endless_parts(each.flow, each.known, each.reach)
-        return any(site.block in each.reach.blocks_from(part) and not inside.keys().isdisjoint(part) for part in parts)
+        reach = runner.analysis.reach
+        return any(
+            site.block in reach.blocks_from(part) and not inside.keys().isdisjoint(part)
+            for part in self._endless[runner]
+        )
 
-
-def _stored(node: Node) -> set[int]:
-    """The symbols that a handler can assign to; the first of each array."""
-    each = node.runner.analysis
-    blocks = each.reach.handler_blocks[node.label] & each.known.visited
-    return {arg for i in blocks for op, arg, _ in each.flow.blocks[i].code if op in (Op.STORE, Op.STORE_AT)}
+    @cached_property
+    def _endless(self) -> Mapping[Runner, list[frozenset[int]]]:
+        parts = ((runner, runner.analysis) for runner in self.runners)
+        return {runner: endless_parts(each.flow, each.known, each.reach) for runner, each in parts}
 
 
 def _calls(bounds: Mapping[_Vertex, Bound], node: Node, passes: Repeats) -> Bound:
@@ -251,7 +222,7 @@ class _Solution:
 
     def _is_counted(self, clock: Clock) -> bool:
         """Whether how often it is set has a say."""
-        loose = any(self.network.inputs[sending.sender].open for sending in clock.set_by)
+        loose = any(self.network.is_loose(sending) for sending in clock.set_by)
         return (clock.once or clock.kind == "each timer") and not loose
 
     def _most(self, clock: Clock) -> Bound:

@@ -18,7 +18,8 @@ def too_many_particles(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a template or thing of type particle with a `count` above 256.
 
     ## Why it matters
-    The engine draws a cloud from an array of 256 and does not look at the count: it overwrites memory.
+    The engine draws a cloud from an array of 256 and does not look at the count: it overwrites memory. A cloud from a
+    PAR file has its own count, and JK818 looks at that.
 
     ## Bad
         World templates 4
@@ -31,6 +32,8 @@ def too_many_particles(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     for held in (*level.resolved_templates.entries, *level.resolved_things):
         count = held.values.get("count")
         if count is None or held.number("count") <= MOST_PARTICLES or count.origins[0].owner != held.owner:
+            continue
+        if held.name_in("particle") is not None:
             continue
         yield Finding(
             Label(count.origins[0].span),
