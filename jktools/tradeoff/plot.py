@@ -95,6 +95,7 @@ def _panel(axes: Any, name: str, measure: str, points: Sequence[Point]) -> None:
     axes.set_xlim(least / 10**wider, most * 10**wider)
     axes.grid(visible=True, alpha=0.25)
     axes.tick_params(labelsize=7)
+    axes.minorticks_off()
 
 
 def _wrapped(text: str, most: int) -> list[str]:
