@@ -28,7 +28,7 @@ def still(command: str, text: str) -> str:
     """A text without what differs from run to run."""
     for name, pattern in MEASURED:
         if command.startswith(name):
-            return re.sub(r"\s+", " ", re.sub(pattern, "*", text))
+            return re.sub(r"\s+", " ", re.sub(pattern, "*", text)).strip()
     return text
 
 
