@@ -157,6 +157,7 @@ def test_a_script_that_cannot_be_read_may_do_anything_to_what_it_names() -> None
 def test_an_end_on_a_wall_is_left_open() -> None:
     near = "21: mark mark .5 1 .5 0 0 0 0"
     assert both(*SHUT, things=[near]) == [VARIES, VARIES]
+    assert both(*ALONE, *SHUT, things=[near]) == [VARIES, VARIES]
     assert both(*SHUT, things=[near.replace(" 1 ", " 1.00002 ")]) == [NEVER, NEVER]
 
 
