@@ -15,6 +15,7 @@ from tools.parameter_page import parameter_page
 from tools.reach_table import reach_table
 from tools.rule_pages import count_corpus, rule_pages
 from tools.runtime_sections import runtime_sections
+from tools.tradeoff_page import tradeoff_page
 
 ROOT = Path(__file__).resolve().parent.parent
 SCHEMA = "grammars/level.fbs"
@@ -71,6 +72,7 @@ def generate(into: Path) -> list[Path]:
         parameter_page(into),
         format_page(into),
         *rule_pages(into),
+        tradeoff_page(into),
     ]
 
 

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+from jktools.engine.body import WALKPLAYER
 from jktools.tradeoff import PASSES, TIERS
 from jktools.tradeoff.errors import ROUNDING, length
 from jktools.tradeoff.write import duration
@@ -111,7 +112,15 @@ def _claims(c: Corpus) -> Iterator[tuple[str, bool]]:
     for tier in TIERS:
         yield f"no segment refutes {tier}", c.total("visibility", tier, "refuted") == 0
         yield f"{tier} misses no pair", c.total("visibility", tier, "missed") == 0
-    yield "fast misses basins", c.total("basins", "fast", "missed") > 0
+    wrong = [c.total("ledges", tier, "wrong_length") for tier in ("fast", "balanced")]
+    yield "balanced misses no ledge", c.total("ledges", "balanced", "missed") == 0
+    yield (
+        "balanced is off by less than a body's width",
+        c.most("ledges", "balanced", "wrong_longest") < 2 * WALKPLAYER.movesize,
+    )
+    yield "fast classes more of the edges wrong", wrong[0] > 100 * wrong[1]
+    yield "fast is no faster for motion", c.ratio("motion", "fast", "balanced") > 0.9
+    yield "exact has fewer pairs", c.total("visibility", "balanced", "false") > 0
     yield "fast misses more ledges", c.total("ledges", "fast", "missed") > c.total("ledges", "balanced", "missed")
     off = [c.most("motion", tier, "off_most") for tier in TIERS]
     yield "the closed form is off by most, and exact by nothing", off[0] > off[1] > off[2] == 0
@@ -133,10 +142,16 @@ def _named(c: Corpus) -> dict[str, str]:
         found[f"edges_{tier}"] = _times(c.at_edges("sight", tier))
         found[f"visible_{tier}"] = _percent(c.share("visibility", tier, "false", "pairs"))
         found[f"motion_{tier}"] = length(c.most("motion", tier, "off_most"))
+    for tier in ("fast", "balanced"):
+        unlike = sum(c.total("basins", tier, key) for key in ("missed", "false", "unlike"))
+        found[f"basins_{tier}"] = _count(unlike)
     for name in ("ledges", "basins"):
         found[name] = f"{c.total(name, 'balanced', name):,.0f}"
-        found[f"{name}_missed_fast"] = _count(c.total(name, "fast", "missed"))
-        found[f"{name}_missed"] = _count(c.total(name, "balanced", "missed"))
+    found["ledges_missed_fast"] = _count(c.total("ledges", "fast", "missed"))
+    found["ledges_missed"] = _count(c.total("ledges", "balanced", "missed"))
+    found["sliver"] = _length(c.most("ledges", "balanced", "wrong_longest"))
+    pairs, false = (c.total("visibility", "balanced", key) for key in ("pairs", "false"))
+    found["visible_more"] = _percent(false / ((pairs + false) or 1))
     moved = c.most("geometry", "fast", "moved_most")
     sizes = {
         name: [c.figure(name, tier, "bytes") or 1 for tier in ("fast", "balanced")] for name in ("geometry", "build")
@@ -149,6 +164,7 @@ def _named(c: Corpus) -> dict[str, str]:
     return found | {
         "lost": f"{c.total('visibility', 'fast', 'missed_in_file'):,.0f}",
         "segments": f"{c.total('visibility', 'balanced', 'segments'):,.0f}",
+        "motion_longest": duration(c.figure("motion", "exact", "seconds", max)),
         "widest": length(c.most("motion", "exact", "widest")),
         "build_longest": duration(c.figure("build", "balanced", "seconds", max)),
         "file": file if moved else NO_GRID,

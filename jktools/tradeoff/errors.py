@@ -26,8 +26,8 @@ Float64 = npt.NDArray[np.float64]
 AT_EDGES = "edges"
 """The kind of queries that are aimed at edges and vertices; all other kinds are what games and mods ask."""
 ROUNDING = 1e-9
-"""JKU: what differs by less is the same but for its last digits. Texts do not speak of it, and pieces of ledges that
-are so short count for no kind."""
+"""JKU: what differs by less is the same but for its last digits. Texts do not tell it; pieces of ledges as short have
+no kind."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import io
 import math
+import statistics
 from collections.abc import Sequence
 from typing import Any
 
+from jktools.tradeoff.errors import ROUNDING
 from jktools.tradeoff.measure import Row
 
 COLOURS = {"fast": "#d95f02", "balanced": "#1b9e77", "exact": "#7570b3"}
@@ -21,8 +23,10 @@ Point = tuple[str, float, float]
 
 
 def points_of(row: Row) -> list[Point]:
-    """The cells whose time and error are known."""
-    return [(c.tier, c.median, c.error.worst) for c in row.cells if c.error is not None and not c.not_measured]
+    """The cells whose time and error are known; a coarse clock may have seen no time pass."""
+    return [
+        (c.tier, max(c.median, 1e-9), c.error.worst) for c in row.cells if c.error is not None and not c.not_measured
+    ]
 
 
 def to_plot(rows: Sequence[Row], title: str, suffix: str) -> bytes:
@@ -35,7 +39,10 @@ def to_plot(rows: Sequence[Row], title: str, suffix: str) -> bytes:
 
 
 def draw(panels: Sequence[tuple[str, str, Sequence[Point]]], title: str, suffix: str) -> bytes:
-    """Draw panels of points; several points of one tier are as many levels, and their median is drawn large."""
+    """Draw panels of points; several points of one tier are as many levels.
+
+    Their mean, geometric in time, is drawn large.
+    """
     # matplotlib takes half a second to import and is an extra: only who draws pays for it.
     import matplotlib as mpl  # noqa: PLC0415
     from matplotlib.figure import Figure  # noqa: PLC0415
@@ -61,7 +68,7 @@ def _panel(axes: Any, name: str, measure: str, points: Sequence[Point]) -> None:
     axes.set_xscale("log")
     axes.set_xlabel("seconds", fontsize=8)
     axes.set_ylabel("\n".join(_wrapped(measure, 30)), fontsize=8)
-    positive = [error for _, _, error in points if error > 0]
+    positive = [error for _, _, error in points if error > ROUNDING]
     floor = 10.0 ** (math.floor(math.log10(min(positive))) - 1) if positive else 1e-3
     axes.set_yscale("log")
     top = 10 * max(positive, default=10 * floor)
@@ -70,28 +77,25 @@ def _panel(axes: Any, name: str, measure: str, points: Sequence[Point]) -> None:
     axes.text(
         0.01, floor / 1.9, " no error", fontsize=7, color="#777777", va="bottom", transform=axes.get_yaxis_transform()
     )
-    medians: list[Point] = []
+    means: list[Point] = []
     for tier in COLOURS:
         own = [(seconds, max(error, floor)) for each, seconds, error in points if each == tier]
+        own_errors = [error for each, _, error in points if each == tier]
         if not own:
             continue
         times, errors = zip(*own, strict=True)
         if len(own) > 1:
             axes.plot(times, errors, MARKERS[tier], color=COLOURS[tier], alpha=0.35, markersize=3, markeredgewidth=0)
-        medians.append((tier, _median(times), _median(errors)))
-    axes.plot([m[1] for m in medians], [m[2] for m in medians], "-", color="#bbbbbb", linewidth=1, zorder=0)
-    for tier, x, y in medians:
+        means.append((tier, statistics.geometric_mean(times), max(floor, statistics.mean(own_errors))))
+    axes.plot([m[1] for m in means], [m[2] for m in means], "-", color="#bbbbbb", linewidth=1, zorder=0)
+    for tier, x, y in means:
         axes.plot([x], [y], MARKERS[tier], color=COLOURS[tier], markersize=7, label=tier)
     least, most = min(p[1] for p in points), max(p[1] for p in points)
     wider = max(0.0, math.log10(LEAST_SPAN * least / most)) / 2 + 0.25
     axes.set_xlim(least / 10**wider, most * 10**wider)
     axes.grid(visible=True, alpha=0.25)
     axes.tick_params(labelsize=7)
-
-
-def _median(values: Sequence[float]) -> float:
-    ordered = sorted(values)
-    return ordered[len(ordered) // 2]
+    axes.minorticks_off()
 
 
 def _wrapped(text: str, most: int) -> list[str]:
