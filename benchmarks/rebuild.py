@@ -104,10 +104,12 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--tier", action="append", choices=TIERS, help="may be repeated; by default all")
     parser.add_argument("--minutes", type=float, default=float("inf"))
+    parser.add_argument("--without", action="append", default=[], help="leave out levels with this in their path")
     parser.add_argument("--notes", type=Path, default=Path("build/rebuild.jsonl"))
     arguments = parser.parse_args()
     arguments.notes.parent.mkdir(exist_ok=True)
-    notes, paths = Notes(arguments.notes), corpus()
+    notes = Notes(arguments.notes)
+    paths = [path for path in corpus() if not any(each in path for each in arguments.without)]
     end = time.monotonic() + 60 * arguments.minutes
     good = True
     for tier in arguments.tier or TIERS:
