@@ -15,6 +15,7 @@ import pytest
 
 from jktools.facts import LevelFacts
 from jktools.facts.hotspots import Hotspot, Verdict
+from jktools.linter import find_rule, lint
 from jktools.session import discover, load
 from tests.support.levels import CORPUS, level_with_files, two_rooms
 from tests.support.scripts import corpus_scripts
@@ -250,6 +251,15 @@ def test_two_calls_of_one_helper_are_one_site_and_two_calls() -> None:
 def test_an_endless_loop_is_told_as_one() -> None:
     (found,) = hotspots(*placed_cog("20 21", *looking("startup:", "while (1) {", LOOK, "}", "return;")))
     assert math.isinf(found.per_run["startup"])
+
+
+def test_an_endless_loop_is_over_any_budget_though_its_ends_are_not_known() -> None:
+    script = looking("startup: SetPulse(1); while (1) HasLOS(a, b); return;", "pulse: HasLOS(a, a); return;")
+    lines = placed_cog("20 99", *script)
+    assert [h.surfaces_per_second for h in hotspots(*lines)] == [math.inf, 6]
+    with level_with_files(*lines) as level:
+        (told,) = lint(level, [find_rule("JK650")])
+    assert told.message.startswith("cog 0 (look.cog) asks for sight any number of times a second")
 
 
 @pytest.mark.parametrize(("mask", "calls"), [("mask=0x405", 15), ("mask=0x404", 0), ("nolink", 0), ("", 15)])
