@@ -248,6 +248,18 @@ def test_two_calls_of_one_helper_are_one_site_and_two_calls() -> None:
     assert found.per_run == {"pulse": 2}
 
 
+def test_a_handler_beside_a_sleeping_loop_does_not_wake_it() -> None:
+    def calls(pulse: str) -> float:
+        start = "startup: SetPulse(0.1); while (1) { call look; Sleep(10); } return;"
+        lines = looking(start, f"pulse: {pulse} return;", f"look: {LOOK} return;")
+        (found,) = hotspots(*placed_cog("20 21", *lines))
+        return found.calls_per_second
+
+    assert calls("") == pytest.approx(0.1)
+    # Each pulse looks itself, and may be what the loop's sleep goes on behind.
+    assert calls("call look;") == pytest.approx(10 + 10 + 0.1)
+
+
 def test_an_endless_loop_is_told_as_one() -> None:
     (found,) = hotspots(*placed_cog("20 21", *looking("startup:", "while (1) {", LOOK, "}", "return;")))
     assert math.isinf(found.per_run["startup"])
@@ -286,6 +298,13 @@ def test_flags_can_arm_a_pulse() -> None:
     script = looking(f"pulse: {LOOK} return;")
     assert [h.calls_per_second for h in hotspots(*placed_cog("20 21", "flags=0x40", *script))] == [0]
     assert [h.calls_per_second for h in hotspots(*placed_cog("20 21", "flags=0x44", *script))] == [50]
+
+
+@pytest.mark.parametrize(("flags", "more"), [("0x4", [True]), ("0x40", [False])])
+def test_a_pulse_that_a_script_arms_by_flags_is_told(flags: str, more: list[bool]) -> None:
+    script = looking(f"startup: SetCogFlags(GetSelfCog(), {flags}); return;", f"pulse: {LOOK} return;")
+    with level_with_files(*placed_cog("20 21", *script), game="mots") as level:
+        assert [h.more for h in LevelFacts(level).hotspots] == more
 
 
 def test_a_lamp_that_turns_its_pulse_off_looks_once() -> None:
@@ -342,9 +361,13 @@ def test_a_counter_that_a_handler_in_between_can_set_back_is_told(others: list[s
 
 def test_messages_of_one_script_wake_loops_of_another() -> None:
     tick = ["startup: SetPulse(0.5); return;", "pulse: SendMessage(other, user1); return;"]
-    loop = ["startup: while (1) {", LOOK, "Sleep(0.25);", "} return;", "user1: Sleep(1); return;"]
-    # 4 turns a second, and one more for each message that finds the script asleep.
-    assert [h.calls_per_second for h in two_scripts(tick, loop)] == pytest.approx([4 + 2])
+    loop = ["startup: call watch; return;", "user1: call watch; return;"]
+    watch = ["watch: while (1) {", LOOK, "Sleep(0.25);", "} return;"]
+    # 4 turns a second in either run, one more for each run, and one for each message that finds the other asleep.
+    assert [h.calls_per_second for h in two_scripts(tick, [*loop, *watch])] == pytest.approx([4 + (4 + 2) + 2 * 2])
+    # A handler from which the loop cannot be reached leaves its sleep as it is.
+    beside = ["startup: call watch; return;", "user1: Sleep(1); return;", *watch]
+    assert [h.calls_per_second for h in two_scripts(tick, beside)] == pytest.approx([4])
 
 
 @pytest.mark.parametrize("target", ["GetSenderRef()", "GetMasterCog()", "GetThingClassCog(20)"])

@@ -45,7 +45,7 @@ class Repeats(NamedTuple):
     per_run: float
     per_second: float
     per_interruption: float = 0.0
-    """More for each message, to any handler of the script, that finds it asleep."""
+    """More for each message that finds it asleep, to a handler from which it can be reached."""
     pause: float = math.inf
     """Seconds that a turn of the loop around it asks to sleep, at most; infinite where no loop that sleeps is."""
 
