@@ -265,6 +265,16 @@ def test_an_endless_loop_is_told_as_one() -> None:
     assert math.isinf(found.per_run["startup"])
 
 
+@pytest.mark.parametrize(("body", "endless"), [
+    (["startup: while (1) {", LOOK, "}", "pulse: return;"], True),  # its way out is where another handler begins
+    (["startup: if (rand() > 0.5) { while (1) {", LOOK, "} } return;"], True),
+    (["startup: while (1) {", LOOK, "if (rand() > 0.5) return; }", "pulse: return;"], False),
+    (["startup: do {", LOOK, "} while (0);", "pulse: return;"], False),
+])  # fmt: skip
+def test_a_way_out_that_its_condition_shuts_ends_no_loop(body: list[str], endless: bool) -> None:
+    assert [h.endless for h in hotspots(*placed_cog("20 21", *looking(*body)))] == [endless]
+
+
 def test_an_endless_loop_is_over_any_budget_though_its_ends_are_not_known() -> None:
     script = looking("startup: SetPulse(1); while (1) HasLOS(a, b); return;", "pulse: HasLOS(a, a); return;")
     lines = placed_cog("20 99", *script)
