@@ -39,7 +39,7 @@ PASSES: Mapping[str, Pass] = {
         Pass("things", sections.things, ("geometry",)),
         Pass("cogs", sections.cogs),
         Pass("visibility", sections.visibility, ("geometry",)),
-        Pass("hotspots", scene.hotspots, ("cogs",)),
+        Pass("hotspots", scene.hotspots, ("resources",)),
         Pass("lights", scene.lights, ("geometry", "things")),
         Pass("particles", scene.particles, ("templates",)),
         Pass("colour_effects", scene.colour_effects, ("resources",)),

@@ -46,6 +46,16 @@ def test_hotspots(compiled: CompiledLevel) -> None:
     assert (spots.mean_surfaces[0], spots.most_surfaces[0], spots.verdict[0]) == (9, 12, 2)
 
 
+def test_class_cogs_look_in_a_level_that_places_no_cog() -> None:
+    lines = [line for line in LAMP if line != "0: fx.cog .5"]
+    lines[lines.index("World cogs 1")] = "World cogs 0"
+    lines.insert(lines.index("World cogs 0") + 1, "- 0: door.cog 3 -1 wind.wav")
+    with level_with_files(*lines) as level:
+        compiled = CompiledLevel(compile_level(level))
+    assert compiled.passes["cogs"] == {"ran": False, "note": "no COG is placed"}
+    assert section(compiled, "hotspots").calls_per_second.tolist() == pytest.approx([10])
+
+
 def test_lights(compiled: CompiledLevel) -> None:
     lights = section(compiled, "lights")
     assert (lights.thing.tolist(), lights.vertex_start.tolist()) == ([2], [0, 4])

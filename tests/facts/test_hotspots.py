@@ -15,6 +15,7 @@ import pytest
 
 from jktools.facts import LevelFacts
 from jktools.facts.hotspots import Hotspot, Verdict
+from jktools.linter import find_rule, lint
 from jktools.session import discover, load
 from tests.support.levels import CORPUS, ROOT, level_with_files, two_rooms
 from tests.support.scripts import corpus_scripts
@@ -247,9 +248,40 @@ def test_two_calls_of_one_helper_are_one_site_and_two_calls() -> None:
     assert found.per_run == {"pulse": 2}
 
 
+def test_a_handler_beside_a_sleeping_loop_does_not_wake_it() -> None:
+    def calls(pulse: str) -> float:
+        start = "startup: SetPulse(0.1); while (1) { call look; Sleep(10); } return;"
+        lines = looking(start, f"pulse: {pulse} return;", f"look: {LOOK} return;")
+        (found,) = hotspots(*placed_cog("20 21", *lines))
+        return found.calls_per_second
+
+    assert calls("") == pytest.approx(0.1)
+    # Each pulse looks itself, and may be what the loop's sleep goes on behind.
+    assert calls("call look;") == pytest.approx(10 + 10 + 0.1)
+
+
 def test_an_endless_loop_is_told_as_one() -> None:
     (found,) = hotspots(*placed_cog("20 21", *looking("startup:", "while (1) {", LOOK, "}", "return;")))
     assert math.isinf(found.per_run["startup"])
+
+
+@pytest.mark.parametrize(("body", "endless"), [
+    (["startup: while (1) {", LOOK, "}", "pulse: return;"], True),  # its way out is where another handler begins
+    (["startup: if (rand() > 0.5) { while (1) {", LOOK, "} } return;"], True),
+    (["startup: while (1) {", LOOK, "if (rand() > 0.5) return; }", "pulse: return;"], False),
+    (["startup: do {", LOOK, "} while (0);", "pulse: return;"], False),
+])  # fmt: skip
+def test_a_way_out_that_its_condition_shuts_ends_no_loop(body: list[str], endless: bool) -> None:
+    assert [h.endless for h in hotspots(*placed_cog("20 21", *looking(*body)))] == [endless]
+
+
+def test_an_endless_loop_is_over_any_budget_though_its_ends_are_not_known() -> None:
+    script = looking("startup: SetPulse(1); while (1) HasLOS(a, b); return;", "pulse: HasLOS(a, a); return;")
+    lines = placed_cog("20 99", *script)
+    assert [h.surfaces_per_second for h in hotspots(*lines)] == [math.inf, 6]
+    with level_with_files(*lines) as level:
+        (told,) = lint(level, [find_rule("JK650")])
+    assert told.message.startswith("cog 0 (look.cog) asks for sight any number of times a second")
 
 
 @pytest.mark.parametrize(("mask", "calls"), [("mask=0x405", 15), ("mask=0x404", 0), ("nolink", 0), ("", 15)])
@@ -276,6 +308,13 @@ def test_flags_can_arm_a_pulse() -> None:
     script = looking(f"pulse: {LOOK} return;")
     assert [h.calls_per_second for h in hotspots(*placed_cog("20 21", "flags=0x40", *script))] == [0]
     assert [h.calls_per_second for h in hotspots(*placed_cog("20 21", "flags=0x44", *script))] == [50]
+
+
+@pytest.mark.parametrize(("flags", "more"), [("0x4", [True]), ("0x40", [False])])
+def test_a_pulse_that_a_script_arms_by_flags_is_told(flags: str, more: list[bool]) -> None:
+    script = looking(f"startup: SetCogFlags(GetSelfCog(), {flags}); return;", f"pulse: {LOOK} return;")
+    with level_with_files(*placed_cog("20 21", *script), game="mots") as level:
+        assert [h.more for h in LevelFacts(level).hotspots] == more
 
 
 def test_a_lamp_that_turns_its_pulse_off_looks_once() -> None:
@@ -332,9 +371,13 @@ def test_a_counter_that_a_handler_in_between_can_set_back_is_told(others: list[s
 
 def test_messages_of_one_script_wake_loops_of_another() -> None:
     tick = ["startup: SetPulse(0.5); return;", "pulse: SendMessage(other, user1); return;"]
-    loop = ["startup: while (1) {", LOOK, "Sleep(0.25);", "} return;", "user1: Sleep(1); return;"]
-    # 4 turns a second, and one more for each message that finds the script asleep.
-    assert [h.calls_per_second for h in two_scripts(tick, loop)] == pytest.approx([4 + 2])
+    loop = ["startup: call watch; return;", "user1: call watch; return;"]
+    watch = ["watch: while (1) {", LOOK, "Sleep(0.25);", "} return;"]
+    # 4 turns a second in either run, one more for each run, and one for each message that finds the other asleep.
+    assert [h.calls_per_second for h in two_scripts(tick, [*loop, *watch])] == pytest.approx([4 + (4 + 2) + 2 * 2])
+    # A handler from which the loop cannot be reached leaves its sleep as it is.
+    beside = ["startup: call watch; return;", "user1: Sleep(1); return;", *watch]
+    assert [h.calls_per_second for h in two_scripts(tick, beside)] == pytest.approx([4])
 
 
 @pytest.mark.parametrize("target", ["GetSenderRef()", "GetMasterCog()", "GetThingClassCog(20)"])

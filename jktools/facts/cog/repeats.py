@@ -45,7 +45,7 @@ class Repeats(NamedTuple):
     per_run: float
     per_second: float
     per_interruption: float = 0.0
-    """More for each message, to any handler of the script, that finds it asleep."""
+    """More for each message that finds it asleep, to a handler from which it can be reached."""
     pause: float = math.inf
     """Seconds that a turn of the loop around it asks to sleep, at most; infinite where no loop that sleeps is."""
 
@@ -135,9 +135,17 @@ def endless_parts(flow: Flow, known: Known, reach: Reach) -> list[frozenset[int]
     return [part for part in parts if not _can_end(flow, known, reach, part)]
 
 
+def _ways(block: Block, known: Known) -> list[int]:
+    """The blocks that one can lead to, as far as its condition tells."""
+    holds = ranges.truth(known.conditions[block.index]) if block.index in known.conditions else None
+    if not block.tests or holds is None:
+        return [s for s in block.successors if s in known.visited]
+    return [block.successors[0 if holds else 1]]
+
+
 def _can_end(flow: Flow, known: Known, reach: Reach, part: frozenset[int]) -> bool:
     blocks = flow.blocks
-    if any(blocks[i].returns or any(s not in part and s in known.visited for s in blocks[i].successors) for i in part):
+    if any(blocks[i].returns or any(s not in part for s in _ways(blocks[i], known)) for i in part):
         return True
     called = reach.blocks_from(blocks[i].callee for i in part if blocks[i].callee >= 0)
     return any(

@@ -88,8 +88,9 @@ class Hotspot:
 
     @property
     def surfaces_per_second(self) -> float:
-        """Surface tests a second, on the mean."""
-        return self.calls_per_second * self.cost.mean_surfaces if self.calls_per_second else 0.0
+        """Surface tests a second, on the mean; infinite where nothing bounds the calls, whatever one costs."""
+        calls = self.calls_per_second
+        return calls * self.cost.mean_surfaces if 0 < calls < math.inf else calls
 
     @property
     def lasts(self) -> bool:

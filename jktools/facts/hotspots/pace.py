@@ -48,8 +48,20 @@ class Bound(NamedTuple):
 NOTHING = Bound(0.0, 0.0)
 UNBOUNDED = Bound(math.inf, math.inf)
 
-_Vertex = Node | Runner | Clock
-"""A handler; what wakes a script, by the script; a clock."""
+
+class Wake(NamedTuple):
+    """Messages to the handlers of a script that can come to the same loop.
+
+    One that finds the loop asleep in another run turns it too, and lets the sleep below go on. Other handlers leave it
+    asleep until it wakes by itself (sithCogExec_Ret in the decompiled engine puts the time back).
+    """
+
+    runner: Runner
+    labels: frozenset[str]
+
+
+_Vertex = Node | Wake | Clock
+"""A handler; what wakes a loop; a clock."""
 
 
 class Paces:
@@ -79,7 +91,7 @@ class Paces:
         passes = self.passes(runner, label, site)
         if per_run is not None:
             passes = passes._replace(per_run=per_run)
-        return _calls(self.bounds, Node(runner, label), passes)
+        return _calls(self.bounds, self.network, Node(runner, label), site, passes)
 
     def is_open(self, runner: Runner, label: str, site: Site) -> bool:
         """Whether a handler can come to a call more often than `calls` tells, by what is not known."""
@@ -131,11 +143,20 @@ class Paces:
         return {runner: endless_parts(each.flow, each.known, each.reach) for runner, each in parts}
 
 
-def _calls(bounds: Mapping[_Vertex, Bound], node: Node, passes: Repeats) -> Bound:
+def _wake(network: Network, node: Node, site: Site) -> Wake:
+    """What wakes a loop around a call."""
+    repeats = network.repeats[node.runner]
+    return Wake(
+        node.runner,
+        frozenset(n.label for n in network.live if n.runner is node.runner and site.block in repeats[n.label]),
+    )
+
+
+def _calls(bounds: Mapping[_Vertex, Bound], network: Network, node: Node, site: Site, passes: Repeats) -> Bound:
     runs = bounds.get(node, NOTHING)
     found = runs.times(passes.per_run).plus(Bound(0.0, passes.per_second if runs != NOTHING else 0.0))
     if passes.per_interruption:
-        found = found.plus(bounds.get(node.runner, NOTHING).times(passes.per_interruption))
+        found = found.plus(bounds.get(_wake(network, node, site), NOTHING).times(passes.per_interruption))
     return found
 
 
@@ -145,13 +166,13 @@ class _Solution:
     def __init__(self, network: Network, frame: float) -> None:
         self.network, self.frame = network, frame
         self.bounds: dict[_Vertex, Bound] = {}
-        sleeping = {
-            node.runner
+        wakes = dict.fromkeys(
+            _wake(network, node, site)
             for node in network.live
-            for each in network.repeats[node.runner][node.label].values()
-            if each.per_interruption
-        }
-        self.vertices: list[_Vertex] = [*network.live, *(r for r in network.runners if r in sleeping)]
+            for site in node.runner.analysis.rates.sites
+            if network.passes(node, site).per_interruption
+        )
+        self.vertices: list[_Vertex] = [*network.live, *wakes]
         self.vertices += network.clocks.values()
 
     def run(self) -> dict[_Vertex, Bound]:
@@ -192,12 +213,18 @@ class _Solution:
 
     def _needs_of(self, sending: Sending) -> list[_Vertex]:
         passes = self.network.passes(sending.sender, sending.site)
-        return [sending.sender, sending.sender.runner] if passes.per_interruption else [sending.sender]
+        wake = _wake(self.network, sending.sender, sending.site)
+        return [sending.sender, wake] if passes.per_interruption else [sending.sender]
 
     def _inputs(self, vertex: _Vertex) -> list[tuple[Inputs, Runner | None]]:
-        """What runs a handler; of a script, all that runs it but what it sends itself, which finds it awake."""
-        if isinstance(vertex, Runner):
-            return [(self.network.inputs[node], vertex) for node in self.network.live if node.runner is vertex]
+        """What runs a handler; of a loop, all that runs its handlers but what the script sends itself, being awake."""
+        if isinstance(vertex, Wake):
+            runner = vertex.runner
+            return [
+                (self.network.inputs[n], runner)
+                for n in self.network.live
+                if n.runner is runner and n.label in vertex.labels
+            ]
         assert isinstance(vertex, Node)
         return [(self.network.inputs[vertex], None)]
 
@@ -216,7 +243,7 @@ class _Solution:
 
     def _sent(self, sending: Sending) -> Bound:
         passes = self.network.passes(sending.sender, sending.site)
-        return _calls(self.bounds, sending.sender, passes).times(sending.copies)
+        return _calls(self.bounds, self.network, sending.sender, sending.site, passes).times(sending.copies)
 
     # ---- clocks
 
