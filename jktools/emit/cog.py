@@ -20,7 +20,7 @@ from jktools.facts.cog.summary import (
     SymbolSummary,
     VerbSummary,
 )
-from jktools.facts.hotspots import CostSummary, frequency
+from jktools.facts.hotspots import CostSummary, frequency, mean_work
 
 Costs = Mapping[str, Sequence[CostSummary]]
 """What tests of sight cost in a level, by the lower-case name of the script."""
@@ -76,10 +76,7 @@ def _work(cost: CostSummary) -> str:
     if not cost.pairs:
         return "its cost is not known"
     known = "" if cost.finds is None else f"; {cost.finds}"
-    return (
-        f"{cost.mean_surfaces:.6g} surfaces in {cost.mean_sectors:.6g} sectors on the mean, {cost.most_surfaces} in "
-        f"{cost.most_sectors} at most{known}"
-    )
+    return f"{mean_work(cost)}, {cost.most_surfaces} in {cost.most_sectors} at most{known}"
 
 
 def _lines(script: ScriptSummary, faults: Sequence[Diagnostic]) -> Iterator[str]:
@@ -162,8 +159,10 @@ def _verb(verb: VerbSummary) -> str:
     if verb.sleeps:
         words += "; sleeps"
     if verb.sight is not None:
-        often = ", ".join(_often(run) for run in verb.runs)
-        words += f"; sight ({verb.sight}): at most {often}" if often else f"; sight ({verb.sight})"
+        often = [_often(run) for run in verb.runs if run.per_run is not None]
+        often[:1] = [f"at most {first}" for first in often[:1]]
+        often += [_often(run) for run in verb.runs if run.per_run is None]
+        words += f"; sight ({verb.sight})" + (": " + ", ".join(often) if often else "")
     return words
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from jktools.diagnostics import Label, Subject
 from jktools.facts import LevelFacts
-from jktools.facts.hotspots import Hotspot, Runner, frequency
+from jktools.facts.hotspots import Hotspot, Runner, frequency, mean_work
 from jktools.model import Cog, Template, Thing
 
 
@@ -39,6 +39,5 @@ def call_label(spot: Hotspot) -> Label:
     often = frequency(spot.calls_per_second, spot.more, spot.causes)
     return spot.runner.script.label(
         spot.site.call,
-        f"{often}; {cost.mean_surfaces:.6g} surfaces in {cost.mean_sectors:.6g} sectors on the mean, "
-        f"{cost.most_surfaces} at most",
+        f"{often}; {mean_work(cost)}, {cost.most_surfaces} at most",
     )

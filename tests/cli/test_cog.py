@@ -10,7 +10,7 @@ import pytest
 
 import jktools
 from jktools.cli import main
-from jktools.facts.hotspots import frequency
+from jktools.facts.hotspots import CostSummary, frequency, mean_work
 from tests.support.levels import ROOT, gob_of, two_rooms
 from tests.support.scripts import corpus_scripts
 
@@ -286,3 +286,26 @@ def test_a_level_that_cannot_be_read_is_bad_usage(tmp_path: Path, capsys: pytest
     script, _ = lamp_level(tmp_path)
     assert main(["cog", str(script), "--level", str(tmp_path / "none.jkl")]) == 2
     assert "none.jkl" in capsys.readouterr().err
+
+
+def test_what_nothing_bounds_is_not_told_as_a_bound(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = (
+        b"symbols\nmessage startup\nmessage touched\nthing a\nend\ncode\nstartup:\n  while (1) HasLOS(a, a);\n  return;\n"
+        b"touched:\n  HasLOS(a, a);\n  return;\nend\n"
+    )
+    (tmp_path / "x.cog").write_bytes(text)
+    main(["cog", str(tmp_path / "x.cog")])
+    shown = capsys.readouterr().out
+    assert "at most 1 a run of touched, any number of times a run of startup" in shown
+
+
+@pytest.mark.parametrize(("sectors", "surfaces", "words"), [
+    (1.0, 6.0, "6 surfaces in 1 sector on the mean"),
+    (1.5, 9.0, "9 surfaces in 1.5 sectors on the mean"),
+    (1.0, 1.0, "1 surface in 1 sector on the mean"),
+])  # fmt: skip
+def test_work_counts_in_words(sectors: float, surfaces: float, words: str) -> None:
+    cost = CostSummary(
+        "x.jkl", "cog 1 (x.cog)", "haslos", 1, 1.0, False, (), sectors, surfaces, 1, 6, 1, "varies", {}, None, ""
+    )
+    assert mean_work(cost) == words

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import msgspec
 
-from jktools.facts.hotspots.hotspots import Hotspot
+from jktools.facts.hotspots.hotspots import Cost, Hotspot
 
 MOST_CAUSES = 3
 """Causes that a message names."""
@@ -60,6 +60,15 @@ def frequency(calls: float | None, more: bool, causes: Sequence[str]) -> str:
     if more:
         words.append("more often by what is not known" if words else "how often is not known")
     return ", ".join(words) or "not after the start"
+
+
+def mean_work(cost: Cost | CostSummary) -> str:
+    """For messages: `9 surfaces in 1.5 sectors on the mean`."""
+    parts = [
+        f"{count:.6g} {kind}{'' if count == 1 else 's'}"
+        for count, kind in ((cost.mean_surfaces, "surface"), (cost.mean_sectors, "sector"))
+    ]
+    return f"{' in '.join(parts)} on the mean"
 
 
 def summarise_costs(path: str, spots: Iterable[Hotspot]) -> Mapping[str, list[CostSummary]]:
