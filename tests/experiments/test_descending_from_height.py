@@ -168,6 +168,17 @@ def test_a_walk_detaches_where_the_ledge_pass_says(
     assert walk.position[-1, 2] == pytest.approx(rest - float(pit["depth"]), abs=1e-6)
 
 
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("measured", GOLDEN["reattach"]["pit"], ids=lambda row: str(row["depth"]))
+def test_a_run_over_the_three_pits(measured: dict[str, Any], engine: str, trace: Run) -> None:
+    """'Detachment did NOT occur in either of the two right pits; even when running over them.'"""
+    start = f"pit_rows/before {measured['insert_offset_z']} {measured['depth']}"
+    run = trace("0 run forward\n2 end", start, "--body", "walkplayer", "--engine", engine)
+    assert run.ahead[-1] > RIM + 0.2
+    assert run.position[-1, 2] == pytest.approx(run.position[0, 2] - measured["depth"], abs=1e-6)
+    assert (run.said == []) is measured["seamless"]
+
+
 @pytest.mark.parametrize("depth", ["0.11", "0.13", "0.185", "0.1851"])
 def test_the_bump(depth: str, trace: Run) -> None:
     """'A bump point that is transitioned to first, then a following transition to the final point', at 0.11 too.

@@ -20,6 +20,7 @@ from jktools.geometry.collision import Collision
 from jktools.trace.in_level import LevelSimulation, start_at
 from jktools.trace.level_ground import LevelGround
 from tests.experiments.conftest import Compile
+from tests.experiments.scripts import calls
 from tests.experiments.smithdev import GOLDEN, HANDLE, Experiment
 from tests.experiments.tracing import LEVEL, Run
 from tests.support.levels import level_of
@@ -140,6 +141,17 @@ def test_the_script_names_the_plate(smithdev: Experiment) -> None:
     (plate,) = smithdev.surfaces("floor_flags/room.plate")
     (below,) = smithdev.surfaces("floor_flags/well.plate")
     assert smithdev.cog_values("floor_flags/toggle")[2:] == [str(plate), str(below)]
+
+
+def test_the_script_toggles_what_the_experiment_does() -> None:
+    """One switch the floor flag 0x1; the other movement 0x2 and solidity 0x4 of both sides: as `toggled` writes."""
+    both = ("plate", "below")
+    for change, other in (("clear", "set"), ("set", "clear")):
+        opens = [f"{change}adjoinflags({side}, 0x2)" for side in both]
+        solid = [f"{other}surfaceflags({side}, 0x4)" for side in both]
+        assert calls("sd_toggle.cog", f"{change}adjoinflags") == opens
+        floor = f"{other}surfaceflags(plate, 0x1)"
+        assert calls("sd_toggle.cog", f"{other}surfaceflags") == [floor, *solid]
 
 
 # ---- "Descending From Height", its beginning: walkways and stairs

@@ -7,6 +7,7 @@ import pytest
 
 from jktools.engine.gravity import apply_force
 from tests.experiments.conftest import Compile
+from tests.experiments.scripts import calls
 from tests.experiments.smithdev import GOLDEN, Experiment
 from tests.experiments.tracing import Run
 
@@ -47,6 +48,18 @@ def test_what_the_hatch_is_before_and_after(smithdev: Experiment) -> None:
     assert not geometry.adjoin_flags[adjoin] & 0x2
     assert geometry.adjoin_surface[geometry.adjoin_mirror[adjoin]] == below
     assert smithdev.cog_values("gravity_drop/drop")[1:3] == [str(above), str(below)]
+    crates = [str(smithdev.thing(f"gravity_drop/{name}")) for name in (LIGHT, HEAVY)]
+    assert smithdev.cog_values("gravity_drop/drop")[3:] == crates
+
+
+def test_the_script_opens_the_hatch_and_lets_go_of_both() -> None:
+    """'Activating a switch to change the surface to passable and detaching the things simultaneously'."""
+    assert calls("sd_drop.cog", "setadjoinflags") == ["setadjoinflags(above, 0x2)", "setadjoinflags(below, 0x2)"]
+    assert calls("sd_drop.cog", "clearsurfaceflags") == [
+        "clearsurfaceflags(above, 0x5)", "clearsurfaceflags(below, 0x4)",
+    ]  # fmt: skip
+    assert calls("sd_drop.cog", "detachthing") == ["detachthing(light)", "detachthing(heavy)"]
+    assert calls("sd_drop.cog", "sleep") == []
 
 
 def test_the_light_crate_is_pushed_easily(compiled: Compile) -> None:

@@ -12,6 +12,7 @@ from fixtures.smithdev.chambers.orientation_room import AWKWARD, ORIENTS, PLACED
 from jktools.engine import orientation
 from jktools.engine.arrays import Float64
 from jktools.engine.orientation import Creation
+from tests.experiments.scripts import calls
 from tests.experiments.smithdev import GOLDEN, Experiment
 
 ROOM = "orientation_room"
@@ -82,6 +83,9 @@ def test_orient_template_property(smithdev: Experiment) -> None:
 
 
 def test_creatething_vs_createthingnr(smithdev: Experiment) -> None:
+    made_of = ["(level, ghost0)", "(raised, ghost1)", "(rolled, ghost2)"]
+    for verb in ("creatething", "createthingnr"):
+        assert calls(f"sd_{verb}.cog", "creatething", "createthingnr") == [verb + each for each in made_of]
     plain = made(smithdev, "ghost at 45", Creation.CREATE_THING)
     other = made(smithdev, "ghost at 45, NR", Creation.CREATE_THING_NR)
     same = all((a == b).all() for a, b in zip(plain, other, strict=True))

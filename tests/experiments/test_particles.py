@@ -16,6 +16,7 @@ from jktools.engine import orientation, particle_template, particles
 from jktools.engine.particle_spawn import spawn
 from jktools.engine.particle_template import ParticleTemplate
 from jktools.engine.particles import ParticleTrack
+from tests.experiments.scripts import calls
 from tests.experiments.smithdev import GOLDEN, Experiment
 
 ROOM = "particle_room"
@@ -78,6 +79,12 @@ def fills(values: Any, low: float, high: float) -> bool:
     """Whether values stay in a range and come near both of its ends."""
     share = (values - low) / (high - low)
     return bool(-1e-6 < share.min() < 0.01 and 0.99 < share.max() < 1 + 1e-6)
+
+
+def even(values: Any, low: float, high: float) -> bool:
+    """Whether each quarter of a range holds a quarter of the values, within five standard deviations."""
+    held, _ = np.histogram(values, np.linspace(low, high, 5))
+    return bool(np.abs(held - len(values) / 4).max() < 5 * np.sqrt(len(values) * 3 / 16))
 
 
 def test_initial_experiments(smithdev: Experiment) -> None:
@@ -145,6 +152,9 @@ def test_creation(smithdev: Experiment) -> None:
     assert fills(radius, 0.09, 0.11)
     radius, pitch, yaw = spawned(smithdev, "slice")
     assert fills(radius, 0.09, 0.11) and fills(pitch, -35, 35) and fills(yaw, -35, 35)
+    # "Multiplied directly with a random value between -1 / +1".
+    assert RULES["spawn"].endswith("pitch, yaw = range * uniform(-1, 1)")
+    assert even(radius, 0.09, 0.11) and even(pitch, -35, 35) and even(yaw, -35, 35)
     # "An almost full circle while leaving a gap", of 20 degrees behind.
     _, pitch, yaw = spawned(smithdev, "band")
     assert fills(pitch, -5, 5) and fills(yaw, -170, 170)
@@ -163,6 +173,8 @@ def test_coordinate_space(smithdev: Experiment) -> None:
     parameters = slice(*held.parameter_start[row : row + 2])
     keys, values = ([smithdev.level.strings[i] for i in column[parameters]] for column in
                     (held.parameter_key, held.parameter_value))  # fmt: skip
+    verbs = ("creatething", "attachthingtothing")
+    assert calls("sd_tank.cog", *verbs) == ["creatething(part, tank)", "attachthingtothing(effect, tank)"]
     frames = [v for k, v in zip(keys, values, strict=True) if k == "frame"]
     start, end = (np.array([float(x) for x in f.strip("()").split(":")[0].split("/")]) for f in frames)
     assert np.linalg.norm(end - start) == pytest.approx(TRIP)
