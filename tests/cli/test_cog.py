@@ -290,8 +290,8 @@ def test_a_level_that_cannot_be_read_is_bad_usage(tmp_path: Path, capsys: pytest
 
 def test_what_nothing_bounds_is_not_told_as_a_bound(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = (
-        b"symbols\nmessage startup\nmessage touched\nthing a\nend\ncode\nstartup:\n  while (1) HasLOS(a, a);\n  return;\n"
-        b"touched:\n  HasLOS(a, a);\n  return;\nend\n"
+        b"symbols\nmessage startup\nmessage touched\nthing a\nend\ncode\n"
+        b"startup:\n  while (1) HasLOS(a, a);\n  return;\ntouched:\n  HasLOS(a, a);\n  return;\nend\n"
     )
     (tmp_path / "x.cog").write_bytes(text)
     main(["cog", str(tmp_path / "x.cog")])
