@@ -2,21 +2,23 @@
 
 `python -m benchmarks.file_size` prints a row a level: bytes of the JKL, and of the file at `balanced` and `fast` as
 shares of it; the last column leaves out templates and names that nothing is known to reach (`--cut-anyway`), as a build
-does by itself when the game's files are at hand as its base. Nothing in these files comes from anywhere but the JKL:
-templates that only the game's static.jkl has are not in them. `--level WORD` chooses levels by their names.
+does by itself when the game's files are at hand as its base. The levels are compiled as `jktools build` does it, with
+the scripts and models of their packs; of the game's own files none is at hand, so that templates which only static.jkl
+has are not in them. `--level WORD` chooses levels by their names.
 """
 
 from __future__ import annotations
 
 import argparse
 import statistics
+from collections.abc import Iterator
 
+from benchmarks.sight_queries import CORPUS
 from jktools.compiler import CompileError, CompileSettings, compile_level
 from jktools.geometry import Accuracy
 from jktools.model import Level
-from jktools.source import Source
-from jktools.syntax.jkl import read
-from tests.support.levels import corpus_files
+from jktools.session import load
+from jktools.source import Member, resolve
 
 GOALS: dict[Accuracy, float] = {"balanced": 0.75, "fast": 0.6}
 LARGE = 100_000
@@ -36,14 +38,16 @@ def main() -> None:
     word = arguments.parse_args().level
     print(f"{'level':<32}{'JKL':>10}{'balanced':>18}{'fast':>18}{'balanced, cut':>18}")
     rows: list[tuple[int, list[int]]] = []
-    for name, data in corpus_files():
-        level = Level(read(Source(name, data)))
-        if word not in name or not level.has_geometry:
+    for name, length, path in _members():
+        if word not in name:
+            continue
+        level = load(path)
+        if not level.has_geometry:
             continue
         try:
-            rows.append((len(data), sizes(level)))
+            rows.append((length, sizes(level)))
         except CompileError as error:
-            print(f"{name[-32:]:<32}{len(data):>10}  {error}")
+            print(f"{name[-32:]:<32}{length:>10}  {error}")
             continue
         print(_row(name[-32:], *rows[-1]), flush=True)
     if not rows:
@@ -60,6 +64,16 @@ def main() -> None:
                 told = "".join(f"{of(column):>18.2f}" for column in zip(*shares, strict=True))
                 print(f"{name:>42}{told}")
     print("goals: " + ", ".join(f"{goal} at {tier}" for tier, goal in GOALS.items()))
+
+
+def _members() -> Iterator[tuple[str, int, str]]:
+    """Each JKL of the corpus: its name, its bytes and its path."""
+    for path in sorted([*CORPUS.glob("gob/*"), *CORPUS.glob("jkl/*.jkl")]):
+        target = resolve(str(path))
+        for member in [target] if isinstance(target, Member) else target.members:
+            if member.extension == "jkl":
+                name = path.name if isinstance(target, Member) else f"{path.name}!{member.name}"
+                yield name, len(member.read().data), member.path
 
 
 def _row(name: str, size: int, made: list[int]) -> str:

@@ -6496,7 +6496,7 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *checksum() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_CHECKSUM);
   }
-  /// The level's source first.
+  /// The level's source. The scripts, models and other files that were at hand are not listed.
   const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Input>> *inputs() const {
     return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Input>> *>(VT_INPUTS);
   }

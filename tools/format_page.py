@@ -145,10 +145,8 @@ def _rows(column: Column) -> str:
 def _counts(column: Column) -> str:
     if column.cuts is not None:
         return f"cuts `{column.cuts}`"
-    if column.index_of is None:
-        return ""
-    target = "strings" if column.index_of == STRINGS else f"`{column.index_of}`"
-    return target + (" or -1" if column.or_none else "")
+    target = "strings" if column.index_of == STRINGS else f"`{column.index_of}`" if column.index_of else ""
+    return " ".join([target] * bool(target) + ["or -1"] * column.or_none)
 
 
 def _since(column: Column) -> str:

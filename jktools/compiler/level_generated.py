@@ -9882,7 +9882,7 @@ class Level(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
-    # The level's source first.
+    # The level's source. The scripts, models and other files that were at hand are not listed.
     # Level
     def Inputs(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))

@@ -39,6 +39,10 @@ class Ledge(NamedTuple):
     """From the edge down at both ends, JKU; NaN for none."""
     traits: int
     """0x1 the place below is narrower than the body, 0x2 the engine's AI stops."""
+    onto: int = -1
+    """Source index of the thing come onto, or that blocks; -1 for none, and in files up to format 1.1."""
+    onto_face: int = -1
+    """The face of its model at rest, or -1."""
 
 
 class Basin(NamedTuple):
@@ -90,7 +94,7 @@ def ledges_at(ledges: Columns, body: int, surface: int, corner: int) -> Iterator
     high = first + int(np.searchsorted(ledges.surface[first:end], surface, "right"))
     for row in range(low, high):
         if ledges.corner[row] == corner:
-            yield Ledge(*(getattr(ledges, name)[row].item() for name in Ledge._fields))
+            yield Ledge(*(getattr(ledges, name)[row].item() for name in Ledge._fields if hasattr(ledges, name)))
 
 
 def basins_of(basins: Columns, body: int) -> Iterator[Basin]:

@@ -1,6 +1,7 @@
 // What the compiler found out about a level: which sectors can be seen from which, and where bodies walk and fall.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -53,9 +54,11 @@ struct Ledge {
     Index below, thing;           // the surface come onto, or that blocks; the thing that makes it unknown; or -1
     float drop_start, drop_end;   // from the edge down, JKU; NaN for none
     std::uint8_t traits;          // 0x1 narrower than the body, 0x2 the engine's AI stops
+    Index onto, onto_face;        // the thing come onto, or that blocks, and the face of its model; or -1
 };
 
-// The edges of floors, for each body of the file. An edge, or a part of one, that has no ledge goes on level.
+// The edges of floors, for each body of the file. An edge of a floor, or a part of one, that has no ledge goes on level.
+// The edges of things (lifts, bridges) are in the columns alone: the first rows of each body, with surface -1.
 class LedgesOf {
 public:
     explicit LedgesOf(const Level& level) {
@@ -64,6 +67,12 @@ public:
 
     // How many bodies there are; their figures and names are columns of Level::sections().ledges.
     Index bodies() const { return static_cast<Index>(ledges_.body_movesize.rows()); }
+
+    // Whether it is known how high a body floats: of one that it is not, the file has neither ledges nor basins, which
+    // says nothing about its edges.
+    bool known(Index body) const {
+        return body >= 0 && body < bodies() && !std::isnan(ledges_.body_hover(static_cast<std::size_t>(body)));
+    }
 
     // The ledges of the edge that goes from a corner of a floor to the next one, along the edge.
     std::vector<Ledge> at(Index body, Index surface, Index corner) const {
@@ -97,7 +106,13 @@ private:
     Ledge ledge(std::size_t row) const {
         return {ledges_.start(row), ledges_.end(row), static_cast<LedgeKind>(ledges_.kind(row)),
                 static_cast<LedgeKind>(ledges_.other_kind(row)), ledges_.below(row), ledges_.thing(row),
-                ledges_.drop_start(row), ledges_.drop_end(row), ledges_.traits(row)};
+                ledges_.drop_start(row), ledges_.drop_end(row), ledges_.traits(row),
+                since(ledges_.onto, row), since(ledges_.onto_face, row)};
+    }
+
+    // Of a column that files of format 1.0 and 1.1 do not have.
+    static Index since(const Column<std::int32_t>& column, std::size_t row) {
+        return row < column.rows() ? column(row) : -1;
     }
 
     Ledges ledges_;

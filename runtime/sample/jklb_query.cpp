@@ -107,6 +107,15 @@ private:
         return found;
     }
 
+    Index body(const std::string& word) const {
+        const Index found = index(word);
+        if (found < 0 || found >= ledges_.bodies())
+            throw Refused{"body " + word + " does not exist: there are " + std::to_string(ledges_.bodies())};
+        if (!ledges_.known(found))
+            throw Refused{"how high body " + word + " floats was not known when the level was compiled"};
+        return found;
+    }
+
     std::string sight(const Words& words) const {
         const Place from = place(words, 1), to = place(words, 5);
         const jklb::Sight seen = jklb::sight(mesh_, from.p, sector(words[4], from), to.p);
@@ -139,15 +148,21 @@ private:
     }
 
     std::string ledges(const Words& words) const {
-        const Index body = index(words[1]), surface = index(words[2]), corner = index(words[3]);
-        if (body < 0 || body >= ledges_.bodies())
-            throw Refused{"body " + words[1] + " does not exist: there are " + std::to_string(ledges_.bodies())};
+        const Index body = this->body(words[1]), surface = index(words[2]), corner = index(words[3]);
+        if (surface < 0 || surface >= mesh_.surfaces())
+            throw Refused{"surface " + words[2] + " does not exist: there are " + std::to_string(mesh_.surfaces())};
+        if (mesh_.passes_to(surface) != jklb::kCarries) throw Refused{"surface " + words[2] + " is no floor"};
+        if (corner < 0 || corner >= mesh_.corners(surface))
+            throw Refused{"corner " + words[3] + " does not exist: there are " + std::to_string(mesh_.corners(surface))};
+        const double place = words.size() > 4 ? number(words[4]) : 0;
+        if (!(place >= 0 && place <= 1)) throw Refused{words[4] + " is no place on an edge: they go from 0 to 1"};
         std::string told;
         for (const jklb::Ledge& each : ledges_.at(body, surface, corner)) {
-            if (words.size() > 4 && !(each.start <= number(words[4]) && number(words[4]) <= each.end)) continue;
+            if (words.size() > 4 && !(each.start <= place && place <= each.end)) continue;
             told += (told.empty() ? "" : "; ") + text(each.start) + " to " + text(each.end) + " " +
                     (each.kind <= jklb::LedgeKind::kUnknown ? kLedges[static_cast<int>(each.kind)] : "?");
             if (each.below >= 0) told += ", surface " + std::to_string(each.below);
+            if (each.onto >= 0) told += ", face " + std::to_string(each.onto_face) + " of thing " + std::to_string(each.onto);
             if (each.drop_start == each.drop_start)
                 told += ", " + text(each.drop_start) + " to " + text(each.drop_end) + " JKU down";
             if (words.size() > 4) break;
@@ -157,7 +172,7 @@ private:
 
     std::string basins(const Words& words) const {
         std::ostringstream told;
-        for (const jklb::Basin& each : jklb::basins(level_, index(words[1])))
+        for (const jklb::Basin& each : jklb::basins(level_, body(words[1])))
             told << (told.tellp() ? "; " : "") << each.surfaces.size() << " floors from surface "
                  << (each.surfaces.empty() ? -1 : each.surfaces[0]) << ", " << text(each.shallowest) << " to "
                  << text(each.deepest) << " JKU deep, entered 0x" << std::hex << int{each.entered} << ", left 0x"

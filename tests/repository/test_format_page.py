@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from jktools.compiler import compile_level
+from jktools.compiler.columns import SECTIONS, camel_case
 from tests.support.levels import ROOT, TWO_ROOMS, level_of
 from tools.format_page import SCHEMA, tables
 
@@ -31,6 +32,16 @@ def test_every_field_is_on_the_page() -> None:
         part = PAGE.split(f"\n### {table.name}\n")[1].split("\n### ")[0]
         for field in table.fields:
             assert field.name.endswith("_packed") or f"| `{field.name}` |" in part, f"{table.name}.{field.name}"
+
+
+def test_the_page_says_what_an_absent_column_holds() -> None:
+    """A reader that has the page alone fills a column that is neither plain nor packed with 0, or with -1."""
+    for section, columns in SECTIONS.items():
+        part = PAGE.split(f"\n### {camel_case(section)}\n")[1].split("\n### ")[0]
+        rows = dict(re.findall(r"^\| `(\w+)` \| [^|]* \| [^|]* \| ([^|]*) \|", part, re.MULTILINE))
+        told = {name for name, counts in rows.items() if counts.endswith("or -1")}
+        assert rows.keys() == columns.keys()
+        assert told == {name for name, column in columns.items() if column.or_none}, section
 
 
 def test_the_python_example_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

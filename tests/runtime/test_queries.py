@@ -17,6 +17,7 @@ from benchmarks.runtime_queries import ask, differing
 from jktools.compiler import CompiledLevel, CompileSettings, compile_level
 from jktools.facts.ledges import Kind
 from jktools.model import Level
+from jktools.session import load
 from tests.runtime.compiler import FLATBUFFERS, compiler
 from tests.support.halls import crooked_halls, crossroads, halls
 from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
@@ -78,29 +79,68 @@ def told(compiled: CompiledLevel, body: int, surface: int, corner: int, place: f
     for each in compiled.ledges_at(body, surface, corner, place):
         text = f"{each.start:.9g} to {each.end:.9g} {Kind(each.kind).name.lower()}"
         text += f", surface {each.below}" if each.below >= 0 else ""
+        text += f", face {each.onto_face} of thing {each.onto}" if each.onto >= 0 else ""
         text += f", {each.drop_start:.9g} to {each.drop_end:.9g} JKU down" if each.drop_start == each.drop_start else ""
         texts.append(text)
     return "; ".join(texts) or "level"
 
 
+def assert_ledges_are_equal(program: Path, path: Path, compiled: CompiledLevel, body: int = 0) -> None:
+    """Every edge of every floor, whole and at places, gives what Python gives; rows of surfaces are each found once."""
+    assert compiled.ledges is not None
+    whole = answers(program, path, [f"ledges {body} {s} 0" for s in range(len(compiled.surface_flags))])
+    floors = {s for s, text in enumerate(whole) if text != f"refused: surface {s} is no floor"}
+    assert set(compiled.ledges.surface.tolist()) - {-1} <= floors
+    corners = np.diff(compiled.geometry.surface_corner_start.astype(int))
+    edges = [(body, s, c) for s in sorted(floors) for c in range(corners[s])]
+    found = answers(program, path, [f"ledges {b} {s} {c}" for b, s, c in edges])
+    assert found == [told(compiled, *edge) for edge in edges]
+    first, end = compiled.ledges.body_ledge_start[body : body + 2].tolist()
+    listed = sum(0 if text == "level" else text.count(";") + 1 for text in found)
+    assert listed == (compiled.ledges.surface[first:end] >= 0).sum() > 20
+    places = [0, 0.25, 0.5, 1]
+    found = answers(program, path, [f"ledges {b} {s} {c} {t}" for b, s, c in edges for t in places])
+    assert found == [told(compiled, *edge, t) for edge in edges for t in places]
+
+
 def test_ledges_and_basins_are_those_of_the_file(jklb_query: Path, tmp_path: Path) -> None:
     path, compiled = compiled_at(tmp_path, halls())
-    assert compiled.ledges is not None
-    surfaces = len(compiled.surface_flags)
-    edges = [(0, s, c) for s in range(surfaces) for c in range(5)]
-    found = answers(jklb_query, path, [f"ledges {b} {s} {c}" for b, s, c in edges])
-    assert found == [told(compiled, *edge) for edge in edges]
-    listed = sum(0 if text == "level" else text.count(";") + 1 for text in found)
-    assert listed == len(compiled.ledges.surface) > 20, "each row is found once, at its own edge"
-    places = [0, 0.25, 0.5, 1]
-    found = answers(jklb_query, path, [f"ledges {b} {s} {c} {t}" for b, s, c in edges for t in places])
-    assert found == [told(compiled, *edge, t) for edge in edges for t in places]
+    assert_ledges_are_equal(jklb_query, path, compiled)
     (basin,) = compiled.basins_of(0)
-    assert answers(jklb_query, path, ["basins 0", "basins 1"]) == [
+    assert answers(jklb_query, path, ["basins 0"]) == [
         f"{len(basin.surfaces)} floors from surface {basin.surfaces[0]}, {basin.shallowest:.9g} to {basin.deepest:.9g} "
-        f"JKU deep, entered 0x{basin.entered:x}, left 0x{basin.left:x}",
-        "none",
+        f"JKU deep, entered 0x{basin.entered:x}, left 0x{basin.left:x}"
     ]
+
+
+def test_ledges_of_a_real_level_that_lead_onto_things(corpus: Path, jklb_query: Path, tmp_path: Path) -> None:
+    path, compiled = compiled_at(tmp_path, load(str(corpus / "gob/masspack.gob!jkl/lagoon.jkl")))
+    assert_ledges_are_equal(jklb_query, path, compiled)
+    assert answers(jklb_query, path, ["ledges 0 346 4 .7772"]) == [
+        "0.777153552 to 0.777292371 wall, face 2 of thing 74"
+    ]
+
+
+def test_what_is_no_edge_of_a_floor_is_not_said_to_be_level(jklb_query: Path, tmp_path: Path) -> None:
+    path, compiled = compiled_at(tmp_path, halls())
+    count = len(compiled.surface_flags)
+    floor = int(np.flatnonzero(compiled.surface_flags & 1)[0])
+    wall = int(np.flatnonzero((compiled.surface_flags & 1 == 0) & (compiled.geometry.surface_adjoin < 0))[0])
+    corners = int(np.diff(compiled.geometry.surface_corner_start.astype(int))[floor])
+    assert answers(
+        jklb_query, path,
+        [
+            f"ledges 0 {count} 0", "ledges 0 -1 0", f"ledges 0 {wall} 0", f"ledges 0 {floor} {corners}",
+            f"ledges 0 {floor} 0 x", f"ledges 0 {floor} 0 7", f"ledges 0 {floor} 0 nan", "basins 1",
+        ],
+    ) == [
+        f"refused: surface {count} does not exist: there are {count}",
+        f"refused: surface -1 does not exist: there are {count}",
+        f"refused: surface {wall} is no floor", f"refused: corner {corners} does not exist: there are {corners}",
+        "refused: 'x' is no number", "refused: 7 is no place on an edge: they go from 0 to 1",
+        "refused: nan is no place on an edge: they go from 0 to 1",
+        "refused: body 1 does not exist: there are 1",
+    ]  # fmt: skip
 
 
 def test_the_two_rooms_by_hand(jklb_query: Path, tmp_path: Path) -> None:
@@ -150,6 +190,9 @@ def test_a_way_that_parts_at_an_edge(first: bool, second: bool, jklb_query: Path
         (["drop", "9", "9", "9", "?"], "the point lies in no sector"),
         (["drop", "1", "1", "1", "0", "-1"], "the limit is negative or not a number"),
         (["ledges", "3", "0", "0"], "body 3 does not exist: there are 1"),
+        (["ledges", "0", "0", "0"], "how high body 0 floats was not known when the level was compiled"),
+        (["basins", "0"], "how high body 0 floats was not known when the level was compiled"),
+        (["basins", "1"], "body 1 does not exist: there are 1"),
         (["--binary", "nowhere", "out"], "cannot read nowhere"),
     ],
 )
