@@ -130,7 +130,7 @@ def changeover(axes: Axes) -> None:
 
 
 def hallway(axes: Axes) -> None:
-    """Drawings 1, 3 and 7: the player walks for 7 s in four lanes, and lets go of the key."""
+    """Drawings 1 and 3, and a lane of ice: the player walks for 7 s in four lanes, and lets go of the key."""
     for lane in ("floor", "no floor", "icy", "shallow water"):
         walk = _walk(f"velocity_hallway/start of {lane}", "0 walk forward\n7 release\n12 end", "walkplayer", None)
         style = "--" if lane == "shallow water" else "-"
