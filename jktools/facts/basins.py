@@ -15,8 +15,9 @@ import numpy.typing as npt
 
 from jktools.engine.flags import SectorFlag, SurfaceFlag
 from jktools.facts.cog.instance import InstanceFacts
-from jktools.facts.floors import PLACED, Floors
+from jktools.facts.floors import PLACED
 from jktools.facts.ledges import Kind, Ledges, Limits
+from jktools.facts.openings import MOVEMENT
 from jktools.geometry.components import components
 from jktools.model import Level
 
@@ -104,10 +105,11 @@ def basins_of(level: Level, ledges: Ledges, touched: Touched) -> tuple[Basin, ..
     Floors are surfaces and the faces of things as they are placed; a basin without a surface is left out.
     """
     count, ways = len(level.surfaces), _ways(level, ledges)
-    falls = np.isin(ways.kind, _FALLS) & (ways.there >= 0)
+    bridged = (ways.kind == Kind.SEAMLESS) & ledges.narrow[ways.row]
+    falls = np.isin(ways.kind, _FALLS) & (ways.there >= 0) & ~bridged
     region = components(count + len(ledges.edges.solids.face_solid), ways.here[falls], ways.there[falls])
     here = region[ways.here]
-    lands = (ways.there >= 0) & np.isin(ways.kind, (*_FALLS, Kind.LIP, Kind.JUMP))
+    lands = (ways.there >= 0) & np.isin(ways.kind, (*_FALLS, Kind.LIP, Kind.JUMP)) & ~bridged
     there = np.where(lands, region[ways.there], -1)
     apart = lands & (there != here)
     leaves_down = np.zeros(len(region), np.bool_)
@@ -121,15 +123,18 @@ def basins_of(level: Level, ledges: Ledges, touched: Touched) -> tuple[Basin, ..
             continue
         rows = ways.row[entering & (there == number)]
         drops = np.concatenate([ledges.drop_start[rows], ledges.drop_end[rows]])
+        shallowest, deepest = max(0.0, float(drops.min())), float(drops.max())
         entered = _entered(ledges.kind[rows])
         if starting & set(level.surface_sector[surfaces].tolist()):
             entered |= Entry.START
         left = Way.DEADLY if _kills(level, ledges, rows) else Way(0)
         own = here == number
-        left |= _left(level, ledges.floors, ways.kind[own], apart[own], surfaces, touched)
+        left |= _left(level, ways.kind[own], apart[own], surfaces, touched)
+        left |= _left_above(level, surfaces, deepest)
+        if _comes_to(level, ledges, surfaces):
+            left |= Way.MOVER
         if (ledges.thing[ways.row[own & (ways.kind == Kind.UNKNOWN)]] < 0).any():
             left |= Way.UNKNOWN
-        shallowest, deepest = max(0.0, float(drops.min())), float(drops.max())
         found.append(Basin(tuple(surfaces.tolist()), shallowest, deepest, entered, left, tuple(rows.tolist())))
     return tuple(sorted(found, key=lambda basin: basin.surfaces))
 
@@ -177,9 +182,7 @@ def _entered(kinds: npt.NDArray[np.uint8]) -> Entry:
     return entry
 
 
-def _left(
-    level: Level, floors: Floors, kinds: UInt8, leads: Bool, surfaces: npt.NDArray[np.intp], touched: Touched
-) -> Way:
+def _left(level: Level, kinds: UInt8, leads: Bool, surfaces: npt.NDArray[np.intp], touched: Touched) -> Way:
     left = Way(0)
     for kind, way in ((Kind.LIP, Way.WALK), (Kind.JUMP, Way.JUMP)):
         if (leads & (kinds == kind)).any():
@@ -195,18 +198,47 @@ def _left(
         left |= Way.WATER
     if (flags & _LIFTS).any() or touched.sectors[sectors].any() or touched.surfaces[surfaces].any():
         left |= Way.UNKNOWN
-    if _comes_to(level, floors, surfaces):
-        left |= Way.MOVER
     return left
 
 
-def _comes_to(level: Level, floors: Floors, surfaces: npt.NDArray[np.intp]) -> bool:
-    """Whether a thing that bodies can stand on comes over one of the floors, at any of its places."""
+def _left_above(level: Level, surfaces: npt.NDArray[np.intp], deepest: float) -> Way:
+    """What the sectors do that lie over the floors and below the rim, through adjoins that let bodies pass."""
+    corners = np.concatenate([level.surfaces[surface].positions for surface in surfaces.tolist()])
+    low, high = corners.min(axis=0), corners.max(axis=0) + np.array([0.0, 0.0, deepest])
+    document, left = level.document, Way(0)
+    seen = set(level.surface_sector[surfaces].tolist())
+    waiting = list(seen)
+    while waiting:
+        sector = waiting.pop()
+        flags = document.sectors.flags[sector]
+        left |= (Way.DEADLY if flags & PIT else Way(0)) | (Way.UNKNOWN if flags & _LIFTS else Way(0))
+        for surface in np.flatnonzero(level.surface_sector == sector).tolist():
+            adjoin = int(document.surfaces.adjoin[surface])
+            if not 0 <= adjoin < len(document.adjoins) or not document.adjoins.flags[adjoin] & MOVEMENT:
+                continue
+            after, opening = int(level.adjoin_sector[adjoin]), level.surfaces[surface].positions
+            least, most = opening.min(axis=0), opening.max(axis=0)
+            over = bool((least < high).all() and (most > low).all())
+            if over and after >= 0 and after not in seen:
+                seen.add(after)
+                waiting.append(after)
+    return left
+
+
+def _comes_to(level: Level, ledges: Ledges, surfaces: npt.NDArray[np.intp]) -> bool:
+    """Whether a thing that bodies can stand on comes over one of the floors, at any of its places.
+
+    One that moves, or whose model is not at hand, no higher than the body jumps: where it stays still it is a way.
+    """
+    floors = ledges.floors
     low, high = floors.boxes()
+    moves = [platform.thing.index in floors.moves for platform in floors.platforms]
+    reach = np.where([*moves, *(True for _ in floors.balls)], ledges.walker.jump(ledges.engine), 0.0)
     for surface in surfaces.tolist():
         corners = level.surfaces[surface].positions
-        near = (high >= corners.min(axis=0)) & (low <= corners.max(axis=0))
-        if near.all(axis=1).any():
+        top = np.repeat(corners.max(axis=0)[None], len(low), axis=0)
+        top[:, 2] += reach
+        if ((high >= corners.min(axis=0)) & (low <= top)).all(axis=1).any():
             return True
     return False
 

@@ -108,7 +108,8 @@ def judge(found: Beyond, walker: Walker, engine: Engine) -> Judged:
     found = cut_through(found, ("far_start", "far_end"), sorted({far, -far, *reattach}))
     kinds = {each: _classed(found, limits[each], radius, each) for each in Engine}
     (other,) = set(Engine) - {engine}
-    down = np.isin(kinds[engine], (Kind.FALL, Kind.NONE, Kind.WATER))
+    shallow = _middle(found.drop_start, found.drop_end) <= limits[engine].reattach
+    down = np.isin(kinds[engine], (Kind.FALL, Kind.NONE, Kind.WATER)) | (kinds[engine] == Kind.SEAMLESS) & ~shallow
     nearest = np.fmin(_middle(found.past_start, found.past_end), _middle(found.far_start, found.far_end))
     narrow = down & ~(nearest > limits[engine].reattach)
     nothing = np.full(len(found.edge), -1, np.int32)

@@ -16,6 +16,7 @@ from jktools.compiler import CompiledLevel, compile_level
 from jktools.compiler.queries import ledges_at
 from jktools.engine.profile import Engine
 from jktools.facts import LevelFacts
+from jktools.facts.basins import Way
 from jktools.facts.floors import PLACED
 from jktools.facts.ledges import Kind, Ledges
 from jktools.geometry import Ending
@@ -149,6 +150,16 @@ def test_a_box_in_a_pit_lets_out() -> None:
         facts = LevelFacts(level)
         (basin,) = facts.basins(facts.bodies[0])
     assert not basin.is_inescapable
+
+
+@pytest.mark.parametrize(("top", "helps"), [(-0.55, True), (-0.3, True), (-0.2, False)])
+def test_a_lift_lets_out_that_comes_no_higher_than_a_jump(top: float, helps: bool) -> None:
+    """The floor is at -0.6, a jump takes up 0.336 JKU; the lift is placed at the rim."""
+    frames = FRAMES.format(a=-0.025, b=top - 0.025)
+    with with_box(".5 1.4 -.025 0 0 0", (0.4, 0.4, 0.025), frames) as level:
+        facts = LevelFacts(level)
+        (basin,) = facts.basins(facts.bodies[0])
+    assert (basin.left, basin.is_inescapable) == ((Way.MOVER, False) if helps else (Way(0), True))
 
 
 def test_an_edge_that_sticks_in_a_wall_is_a_wall() -> None:

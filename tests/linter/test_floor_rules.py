@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from fixtures.rooms import Level as Builder
+from jktools.engine.profile import Engine
 from jktools.facts import LevelFacts
 from jktools.facts.basins import Entry, Way
 from jktools.linter import find_rule, lint
@@ -89,3 +91,35 @@ def test_the_message_names_both_sides() -> None:
     uneven = [line.replace("13: 1 1 -.6", "13: 1 1 -.7") for line in PIT]
     (found,) = lint(level_of(two_rooms(*uneven)), [find_rule("JK701")])
     assert " lies 0.6 to 0.7 JKU below " in found.message
+
+
+PLAYER = "walkplayer none type=player move=physics size=.065 height=.12 physflags=0x4a4f jumpspeed=1.5"
+
+
+@pytest.mark.parametrize(("flags", "way"), [(0, Way(0)), (0x1, Way.UNKNOWN), (0x8, Way.UNKNOWN), (0x40, Way.DEADLY)])
+def test_what_the_sector_does_that_lies_over_the_floor(flags: int, way: Way) -> None:
+    """A shaft of two sectors, 1 JKU deep; the upper one lifts or kills."""
+    builder = Builder("shaft")
+    builder.room((0, 0, 0), (2, 2, 4))
+    builder.room((0, 2, -0.5), (2, 4, 4), flags=flags)
+    builder.room((0, 2, -1), (2, 4, -0.5))
+    builder.window(0, 1, (0, 2, 0), (2, 2, 4))
+    builder.window(1, 2, (0, 2, -0.5), (2, 4, -0.5))
+    builder.templates.append(PLAYER)
+    facts = LevelFacts(level_of(builder.text()))
+    (basin,) = facts.basins(facts.bodies[0])
+    assert basin.left == way
+
+
+@pytest.mark.parametrize("engine", Engine)
+@pytest.mark.parametrize(("gap", "basins"), [(0.05, 0), (0.125, 0), (0.15, 1)])
+def test_a_gap_that_no_body_fits_in_is_no_basin(engine: Engine, gap: float, basins: int) -> None:
+    """The player is 0.13 JKU wide; the decompiled engine holds it on to the far side."""
+    builder = Builder("gap")
+    for start, end, z in ((0.0, 2.0, 0.0), (2.0, 2 + gap, -1.0), (2 + gap, 4.0, 0.0)):
+        builder.room((0, start, z), (2, end, 4))
+    builder.window(0, 1, (0, 2, 0), (2, 2, 4))
+    builder.window(1, 2, (0, 2 + gap, 0), (2, 2 + gap, 4))
+    builder.templates.append(PLAYER)
+    facts = LevelFacts(level_of(builder.text()))
+    assert len(facts.basins(facts.bodies[0], engine)) == basins

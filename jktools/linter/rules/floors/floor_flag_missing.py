@@ -69,7 +69,7 @@ def floor_flag_missing(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             yield Finding(
                 Label(surface.head_span),
                 f"{surface.title} lies flush between floors {floors[0]} and {floors[1]}, but it has no floor flag 0x1",
-                "add 0x1 to its flags, or mark it as ice (0x1000) if that is meant",
+                "add 0x1 to its flags, with 0x1000 if ice is meant",
                 surface.subject,
             )
 
