@@ -1,10 +1,16 @@
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
+import hypothesis
 import pytest
 
 from tests.support.levels import CORPUS, TWO_ROOMS
+
+# The same examples at every run; `make fuzz` looks for new ones.
+hypothesis.settings.register_profile("same", derandomize=True)
+hypothesis.settings.load_profile("default" if os.environ.get("JKTOOLS_FUZZ") else "same")
 
 
 @pytest.fixture(scope="session", autouse=True)
