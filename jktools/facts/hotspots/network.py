@@ -13,9 +13,11 @@ from functools import cached_property
 from typing import NamedTuple
 
 from jktools.facts.cog import ranges
+from jktools.facts.cog.counter import Counter
+from jktools.facts.cog.counting import VIEWS
 from jktools.facts.cog.lowering import Op
-from jktools.facts.cog.rates import LEAST_DELAY, PULSE, TIMER, TRIGGER, Site
-from jktools.facts.cog.repeats import NEVER, VIEWS, Counter, Repeats
+from jktools.facts.cog.rates import LEAST_DELAY, LOADING, PULSE, STARTUP, TIMER, TRIGGER, Site
+from jktools.facts.cog.repeats import NEVER, Repeats
 from jktools.facts.hotspots.clocks import turns_off_own_pulse, turns_off_pulse_of_sender
 from jktools.facts.hotspots.runners import Runner
 from jktools.facts.hotspots.traces import Leaf, leaves
@@ -119,9 +121,12 @@ class Network:
         self._beating: set[int] = set()
         self.inputs: dict[Node, Inputs] = {}
         self.clocks: dict[tuple[Runner | int, str], Clock] = {}
-        self.repeats = {runner: _repeats(runner, frames) for runner in self.runners}
         self._start()
         self._close()
+        self.repeats = {runner: self._repeats(runner, frames) for runner in self.runners}
+        for clock in self.clocks.values():
+            clock.once = clock.kind == "timer" or (clock.kind == "pulse" and self._turned_off(clock))
+        self._spread()
 
     def passes(self, node: Node, site: Site) -> Repeats:
         """How often a handler's run comes to a call, if no other script looks for things in view meanwhile."""
@@ -163,9 +168,6 @@ class Network:
             for site in _sites(sender):
                 for found in self._sent(sender, site):
                     pending.append(found)
-        for clock in self.clocks.values():
-            clock.once = clock.kind == "timer" or (clock.kind == "pulse" and self._turned_off(clock))
-        self._spread()
 
     def _sent(self, sender: Node, site: Site) -> Iterator[Node]:
         """Add what a call sends; the handlers that were not known to run before."""
@@ -383,6 +385,42 @@ class Network:
             for other in self.live
         )
 
+    # ---- before the start
+
+    def _repeats(self, runner: Runner, frames: float) -> Mapping[str, Mapping[int, Repeats]]:
+        each = runner.analysis
+        counter = Counter(each.program, each.flow, each.reach, each.known, frames=frames, undisturbed=True)
+        found = each.rates.repeats_by(counter)
+        without = each.rates.repeats_by(counter, first=False)
+        return found if found == without or not self._is_sent_to_before_startup(runner) else without
+
+    def _is_sent_to_before_startup(self, runner: Runner) -> bool:
+        """Whether `startup` may find another handler of its script unfinished, by what others do in theirs.
+
+        And whether it may come once more: by what another script sends.
+        """
+        own = [node for node in self.live if node.runner is runner]
+        starts = [node for node in own if _handler(node).message.name == STARTUP]
+        early = {n for n in self.live if _handler(n).message.name in (STARTUP, LOADING)}.difference(starts)
+        grown = True
+        while grown:
+            acts = any(_acts(node) for node in early)
+            more = {
+                node
+                for node, inputs in self.inputs.items()
+                if node not in early
+                and node not in starts
+                and ((acts and inputs.events) or any(s.sender in early for s in inputs.messages))
+            }
+            early |= more
+            grown = bool(more)
+        sleeps = runner.analysis.rates.sleeps
+        return any(self.inputs[node].messages for node in starts) or any(
+            node in early and sleeps(node.label) for node in own
+        )
+
+    # ---- what verbs run in between
+
     @cached_property
     def _looking(self) -> list[Node]:
         return [
@@ -406,10 +444,9 @@ def _stored(node: Node) -> set[int]:
     return {arg if op is Op.STORE else _ANY_ENTRY for op, arg in code if op in (Op.STORE, Op.STORE_AT)}
 
 
-def _repeats(runner: Runner, frames: float) -> Mapping[str, Mapping[int, Repeats]]:
-    each = runner.analysis
-    counter = Counter(each.program, each.flow, each.reach, each.known, frames=frames, undisturbed=True)
-    return {h.label: counter.of_handler(each.flow.label_block[h.label]) for h in each.program.handlers}
+def _acts(node: Node) -> bool:
+    """Whether a handler does what the world may answer with a message, before the verb comes back."""
+    return any(s.verb.delivers and s.verb.name not in (*_MESSAGES, "sendtrigger") for s in _sites(node))
 
 
 def _sites(node: Node) -> Iterator[Site]:
