@@ -395,6 +395,17 @@ def test_a_script_that_a_thing_is_given_to_gets_messages_that_are_not_known(verb
         assert found.more is told
 
 
+@pytest.mark.parametrize(("answer", "more"), [("", False), ("call watch;", True)])
+def test_a_message_that_is_not_known_wakes_what_its_handler_comes_to(answer: str, more: bool) -> None:
+    start = ["startup: SendMessage(GetMasterCog(), user1); return;"]
+    loop = ["startup: call watch; return;", f"user1: {answer} return;", "watch: while (1) {"]
+    sleep = ["Sleep(0.25);", "} return;"]
+    assert [h.more for h in two_scripts(start, [*loop, LOOK, *sleep])] == [more]
+    # And what the loop sends on.
+    asked = ["user0: if (HasLOS(i, i) == 1) return; return;"]
+    assert [h.more for h in two_scripts([*start, *asked], [*loop, "SendMessage(back, user0);", *sleep])] == [more]
+
+
 def test_what_is_not_known_is_passed_on() -> None:
     """The first script is woken by a message to nobody knows whom, and what it asks of the second is open too."""
     open_ = ["startup: SetPulse(1); return;", "pulse: SendMessage(GetMasterCog(), user1); return;"]
