@@ -284,6 +284,14 @@ def test_an_endless_loop_is_over_any_budget_though_its_ends_are_not_known() -> N
     assert told.message.startswith("cog 0 (look.cog) asks for sight any number of times a second")
 
 
+def test_a_loop_that_may_end_after_any_number_of_turns_is_over_no_budget() -> None:
+    script = looking("startup: SetPulse(1); return;", "pulse: while (Rand() < 0.5)", LOOK, "return;")
+    lines = placed_cog("20 21", *script)
+    assert [(h.calls_per_second, h.endless) for h in hotspots(*lines)] == [(math.inf, False)]
+    with level_with_files(*lines) as level:
+        assert lint(level, [find_rule("JK650")]) == []
+
+
 @pytest.mark.parametrize(("mask", "calls"), [("mask=0x405", 15), ("mask=0x404", 0), ("nolink", 0), ("", 15)])
 def test_pulses_of_things_reach_a_placed_script_by_its_links(mask: str, calls: float) -> None:
     lamps = [f"thing lamp{i} {mask}" for i in range(3)]
