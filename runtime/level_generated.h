@@ -3697,7 +3697,8 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_PAIRS_PACKED = 52,
     VT_VERDICT_PACKED = 54
   };
-  /// The placed COG, by its position in the section; -1 for a class COG, which things carry.
+  /// The placed COG, by its position in the section; -1 for a class COG, which things carry or may come to, and for one
+  /// of the game's own scripts (of static.jkl or items.dat), which no level places.
   const ::flatbuffers::Vector<int32_t> *cog() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_COG);
   }

@@ -5442,7 +5442,8 @@ class Hotspots(object):
     def Init(self, buf, pos):
         self._tab = flatbuffers.table.Table(buf, pos)
 
-    # The placed COG, by its position in the section; -1 for a class COG, which things carry.
+    # The placed COG, by its position in the section; -1 for a class COG, which things carry or may come to, and for one
+    # of the game's own scripts (of static.jkl or items.dat), which no level places.
     # Hotspots
     def Cog(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
