@@ -180,6 +180,7 @@ class CompiledLevel:
     ledges: Section | None
     basins: Section | None
     models: Section | None
+    files: Section | None
 
     def __init__(self, data: bytes | memoryview, path: str = "<bytes>", *, verify: bool = False) -> None:
         """Check and view a buffer. Raises CompiledFileError; `verify` compares the checksum too."""
@@ -345,6 +346,11 @@ class CompiledLevel:
         return f"{self._root.FormatMajor()}.{self._root.FormatMinor()}"
 
     @property
+    def format_minor(self) -> int:
+        """The minor version of the file format."""
+        return int(self._root.FormatMinor())
+
+    @property
     def tool_version(self) -> str:
         """Version of the jktools that wrote it."""
         return self._text(self._root.ToolVersion())
@@ -355,10 +361,43 @@ class CompiledLevel:
         return bytes(self._root.ChecksumAsNumpy()).hex()
 
     @property
-    def inputs(self) -> list[tuple[str, str]]:
-        """Path inside the pack and SHA-256 of each file that it was made from."""
+    def source(self) -> tuple[str, str]:
+        """Path inside the pack, and SHA-256 in hex, of the level that it was made from."""
+        path, digest = next(iter(self._sources), ("", ""))
+        return path, digest
+
+    @property
+    def _sources(self) -> list[tuple[str, str]]:
         entries = [self._root.Inputs(i) for i in range(self._root.InputsLength())]
         return [(self._text(e.Path()), bytes(e.Sha256AsNumpy()).hex()) for e in entries]
+
+    @property
+    def inputs(self) -> list[tuple[str, str]]:
+        """Path and SHA-256 in hex of each file that it was made from: the level's source, then the others.
+
+        Paths are those of the game, as `cog/door.cog`; the source's is that inside its pack, or its base name. Files
+        before 1.2 list the source alone.
+        """
+        return [*self._sources, *((path, digest) for path, digest in self._looked_for if digest is not None)]
+
+    @property
+    def missing_inputs(self) -> list[str]:
+        """Names that were looked for and that no file had: where one is added, the level may become another."""
+        return [path for path, digest in self._looked_for if digest is None]
+
+    @cached_property
+    def _looked_for(self) -> list[tuple[str, str | None]]:
+        files = self.files
+        if files is None:
+            return []
+        if int(files.found.astype(bool).sum()) != len(files.sha256):
+            raise CompiledFileError(f"cannot read {self.path}: the file is damaged; build it again")
+        digests = iter(files.sha256)
+        names, folders = ([self.strings[i] for i in column.tolist()] for column in (files.name, files.folder))
+        return [
+            (f"{folder}/{name}" if folder else name, next(digests).tobytes().hex() if found else None)
+            for folder, name, found in zip(folders, names, files.found.tolist(), strict=True)
+        ]
 
     @property
     def settings(self) -> dict[str, str]:
@@ -430,10 +469,14 @@ class CompiledLevel:
 
     @property
     def passes(self) -> dict[str, dict[str, Any]]:
-        """Which passes ran; `note` says why one did not."""
+        """Which passes ran, and which failed; `note` says why one did not run."""
         entries = [self._root.Passes(i) for i in range(self._root.PassesLength())]
         return {
-            self._text(e.Name()): {"ran": e.Ran(), "note": None if e.Note() is None else self._text(e.Note())}
+            self._text(e.Name()): {
+                "ran": bool(e.Ran()),
+                "failed": bool(e.Failed()),
+                "note": None if e.Note() is None else self._text(e.Note()),
+            }
             for e in entries
         }
 
