@@ -10,6 +10,7 @@ from jktools.diagnostics import Label, Severity
 from jktools.engine.profile import Engine
 from jktools.facts import LevelFacts
 from jktools.facts.ledges import Kind
+from jktools.linter.figures import told_apart
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -78,10 +79,11 @@ def ledge_near_changeover(level: Level, facts: LevelFacts) -> Iterator[Finding]:
                 (other,) = set(Engine) - {ledges.engine}
                 does = _DOES.get(Kind(ledges.other[row]), "does neither stay nor fall")
                 verdict += f", and {does} by {_SOURCE[other]}"
+            drop, limit = told_apart(float(ledges.deepest[row]), limits[ledges.engine])
             yield Finding(
                 Label(surface.head_span),
-                f"the drop from {surface.title} to surface {ledges.below[row]} is {ledges.deepest[row]:.6g} JKU, but "
-                f"{ledges.walker.title} falls beyond {limits[ledges.engine]:.6g} JKU: there it {verdict}",
+                f"the drop from {surface.title} to surface {ledges.below[row]} is {drop} JKU, but "
+                f"{ledges.walker.title} falls beyond {limit} JKU: there it {verdict}",
                 "make the drop clearly lower or clearly higher",
                 surface.subject,
             )
