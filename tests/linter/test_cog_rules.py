@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from jktools.diagnostics import Diagnostic
+from jktools.diagnostics import Diagnostic, Severity
 from jktools.linter import find_rule, lint, rules
 from jktools.linter.rule import facts_of
 from jktools.model.cog.verbs import verb_from
@@ -187,3 +187,10 @@ def test_no_rule_fails_on_a_mutilated_corpus_script() -> None:
         pieces += [b"\n".join(line for i, line in enumerate(lines) if i % 3 != k) for k in range(3)]
         for piece in pieces:
             assert [d for d in lint(script_of(piece, name), on_scripts) if d.code.id == "JK901"] == []
+
+
+def test_a_verb_of_another_game_that_takes_nothing_does_no_harm() -> None:
+    found = script_findings("JK532", "startup:", "jkSyncForcePowers();", "WorldFlash(1.0, 0.5);", "return;")
+    assert [(d.severity, d.message.partition(" ")[0]) for d in found] == [
+        (Severity.WARNING, '"jksyncforcepowers"'), (Severity.ERROR, '"worldflash"'),
+    ]  # fmt: skip
