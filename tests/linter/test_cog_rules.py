@@ -194,3 +194,16 @@ def test_a_verb_of_another_game_that_takes_nothing_does_no_harm() -> None:
     assert [(d.severity, d.message.partition(" ")[0]) for d in found] == [
         (Severity.WARNING, '"jksyncforcepowers"'), (Severity.ERROR, '"worldflash"'),
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("loop", "told"), [
+    (["while (1)", "{", "Sleep(0.5);", "}"], 0),
+    (["while (1)", "{", "Sleep(0.5);", "if (x > 10) stop;", "}"], 0),
+    (["while (1)", "{", "Sleep(0.5);", "}", "x = 2;"], 0),
+    (["while (x < 10)", "{", "Sleep(0.5);", "x = x + Rand();", "}"], 1),
+    (["while (x < 10)", "{", "Sleep(0.5);", "x = x + Rand();", "}", "x = 2;"], 1),
+])  # fmt: skip
+def test_a_loop_without_end_runs_on_into_no_handler(loop: list[str], told: int) -> None:
+    script = ["symbols", "message startup", "message activate", "flex x local", "end", "code"]
+    code = ["startup:", *loop, "activate:", 'Print("active");', "return;", "end"]
+    assert len(script_findings("JK552", *script, *code)) == told
