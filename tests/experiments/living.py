@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-import jktools
 from jktools.engine.thrust import actor_acceleration
-from jktools.geometry.collision import MOVEMENT, SOLID, Collision, SectorFaces
+from jktools.geometry.collision import SOLID, Collision
 from jktools.trace.in_level import LevelSimulation
-from tests.experiments.smithdev import Experiment
+from jktools.trace.stage import Stage
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 FLIES = 0x2000
@@ -21,35 +20,32 @@ FLIES = 0x2000
 class LiveCollision(Collision):
     """The level's surfaces under the flags that they have now."""
 
-    def __init__(self, level: jktools.Level, smithdev: Experiment) -> None:
-        super().__init__(level)
-        self.compiled = smithdev.level
-        self.surface_flags = self.compiled.surface_flags.astype(np.int64)
-        self.adjoin_flags = self.compiled.adjoin_flags.astype(np.int64)
+    def __init__(self, stage: Stage) -> None:
+        self.surface_flags, self.adjoin_flags = stage.plan.surface_flags.copy(), stage.plan.adjoin_flags.copy()
+        super().__init__(stage.plan._replace(surface_flags=self.surface_flags, adjoin_flags=self.adjoin_flags))
 
-    def faces(self, sector: int) -> SectorFaces:
-        """A sector's surfaces, as last changed."""
-        known = sector in self._faces
-        faces = super().faces(sector)
-        if not known:
-            faces.polygons = tuple(p._replace(flags=int(self.surface_flags[p.surface])) for p in faces.polygons)
-            faces.leads = tuple(self._lead(p.surface) for p in faces.polygons)
-        return faces
-
-    def changed(self, surface: int) -> None:
-        """Forget what was known of the sector of a surface whose flags are others now."""
-        self._faces.pop(int(self.compiled.surface_sector[surface]), None)
+    def change(self, surface: int, *, flags: tuple[int, int] = (0, 0), adjoin: tuple[int, int] = (0, 0)) -> None:
+        """Set and clear flags of a surface, and of its adjoin."""
+        self.surface_flags[surface] = int(self.surface_flags[surface]) & ~flags[1] | flags[0]
+        if adjoin != (0, 0):
+            number = self.plan.surface_adjoin[surface]
+            self.adjoin_flags[number] = int(self.adjoin_flags[number]) & ~adjoin[1] | adjoin[0]
+        self._faces.clear()
 
     def behind(self, surface: int) -> int:
         """The sector behind a surface's adjoin; SOLID without one."""
-        adjoin = int(self.compiled.surface_adjoin[surface])
-        if adjoin < 0:
-            return SOLID
-        return int(self.compiled.surface_sector[self.compiled.adjoin_surface[self.compiled.adjoin_mirror[adjoin]]])
+        return int(self.plan.by_adjoin(self.plan.adjoin_sector, SOLID)[surface])
 
-    def _lead(self, surface: int) -> int:
-        adjoin = int(self.compiled.surface_adjoin[surface])
-        return self.behind(surface) if adjoin >= 0 and self.adjoin_flags[adjoin] & MOVEMENT else SOLID
+    def surfaces(self, sector: int) -> range:
+        """The surfaces of a sector."""
+        first = int(self.plan.first_surface[sector])
+        return range(first, first + int(self.plan.surface_count[sector]))
+
+    def corners(self, sector: int) -> Array:
+        """(n, 3), JKU: those of all its surfaces."""
+        own = self.surfaces(sector)
+        corners = slice(self.plan.corner_start[own.start], self.plan.corner_start[own.stop])
+        return self.plan.positions[self.plan.corner_vertex[corners]].astype(np.float64)
 
 
 class Body(LevelSimulation):

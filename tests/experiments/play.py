@@ -17,17 +17,18 @@ from typing import NamedTuple
 import numpy as np
 
 import jktools
+from fixtures.smithdev.pack import GOB
 from jktools.engine import orientation
 from jktools.engine.flags import PhysicsFlag
 from jktools.engine.orientation import Creation
 from jktools.engine.profile import Engine
 from jktools.engine.thrust import ACTOR_READABLE_THRUST, Keys
-from jktools.trace.in_level import Start, body_named
+from jktools.trace.in_level import body_named
 from jktools.trace.script import parse
+from jktools.trace.stage import Start, stage_of
 from tests.experiments.living import FLIES, Array, Body, LiveCollision, Thing
 from tests.experiments.scripts import Placed, placed, program
 from tests.experiments.smithdev import ACTOR, DEBRIS, PLAYER, WEAPON, Experiment
-from tests.experiments.tracing import LEVEL
 from tests.experiments.verbs import Running
 
 PHYSICS = 1
@@ -70,8 +71,8 @@ class Play:
         self.engine = engine
         self.chamber, _, name = start.partition("/")
         self.held = smithdev.handles[self.chamber]
-        self.level = level()
-        self.collision = LiveCollision(self.level, smithdev)
+        self.stage = stage_of(smithdev.level)
+        self.collision = LiveCollision(self.stage)
         self.geo_modes: dict[int, int] = {}
         self.lights: dict[int, float] = {}
         """What scripts made of surfaces and things."""
@@ -166,21 +167,12 @@ class Play:
         """Print."""
         self.said.append(Said(self.now / 1000, script, what))
 
-    def change(self, surface: int, *, flags: tuple[int, int] = (0, 0), adjoin: tuple[int, int] = (0, 0)) -> None:
-        """Set and clear flags of a surface, and of its adjoin."""
-        live = self.collision
-        live.surface_flags[surface] = live.surface_flags[surface] & ~flags[1] | flags[0]
-        if adjoin != (0, 0):
-            number = live.compiled.surface_adjoin[surface]
-            live.adjoin_flags[number] = live.adjoin_flags[number] & ~adjoin[1] | adjoin[0]
-        live.changed(surface)
-
     def sees(self, looker: Thing, target: Thing) -> bool:
         """HasLOS, past walls and what the level has placed; whoever asks is counted."""
         self.asked[looker.template] += 1
         pair = self._end(looker), self._end(target)
         if pair not in self._sights:
-            (verdict,) = jktools.sights(self.level, [pair], engine=self.engine)
+            (verdict,) = jktools.sights(pack_level(), [pair], engine=self.engine)
             self._sights[pair] = str(verdict) == "visible"
         return self._sights[pair]
 
@@ -229,7 +221,7 @@ class Play:
             self._crossed(thing, before)
 
     def _crossed(self, thing: Thing, before: int) -> None:
-        for surface in self._surfaces(before):
+        for surface in self.collision.surfaces(before):
             if self.collision.behind(surface) == thing.sector:
                 self.send(CROSSED, "surface", surface, thing)
         self.send(EXITED, "sector", before, thing)
@@ -246,11 +238,6 @@ class Play:
             self.send(ARRIVED, "thing", thing.number, None)
 
     # ---- the level's start
-
-    def _surfaces(self, sector: int) -> range:
-        level = self.smithdev.level
-        first = int(level.sector_first_surface[sector])
-        return range(first, first + int(level.sector_surface_count[sector]))
 
     def _place_things(self) -> None:
         held, strings = self.smithdev.level.things, self.smithdev.level.strings
@@ -297,14 +284,11 @@ class Play:
 
     def _inside(self, sector: str, aside: float) -> tuple[Array, Array]:
         """The middle of a sector's floor, and the look of who comes in by the chamber's door."""
-        level = self.smithdev.level
-        surfaces = self._surfaces(self.smithdev.sector(sector))
-        corners = slice(level.surface_corner_start[surfaces[0]], level.surface_corner_start[surfaces[-1] + 1])
-        points = level.vertices[level.corner_vertex[corners]].astype(np.float64)
+        points = self.collision.corners(self.smithdev.sector(sector))
         middle = (points.min(axis=0) + points.max(axis=0)) / 2
-        own, door = set(self.held["sectors"].values()), self._surfaces(self.held["sectors"]["door"])
+        own, door = set(self.held["sectors"].values()), self.collision.surfaces(self.held["sectors"]["door"])
         ways = [surface for surface in door if self.collision.behind(surface) in own]
-        ahead = -np.asarray(level.surface_normal[ways[0]], np.float64)
+        ahead = -np.asarray(self.smithdev.level.surface_normal[ways[0]], np.float64)
         right = np.array([ahead[1], -ahead[0], 0.0])
         place = np.array([*middle[:2], points[:, 2].min() + 0.120114]) + right * aside
         return place, np.column_stack([right, ahead, (0.0, 0.0, 1.0)])
@@ -321,8 +305,8 @@ class Play:
         """Give a thing a body, standing on the floor if one is near below it; a flyer hangs."""
         x, y, z = thing.place.tolist()
         yaw = float(orientation.angles(thing.look)[1])
-        body = body_named(self.level, thing.template)
-        thing.body = Body(self.level, Start((x, y, z), thing.sector, yaw), body, self.engine)
+        body = body_named(self.smithdev.level, thing.template)
+        thing.body = Body(self.stage, Start((x, y, z), thing.sector, yaw), body, self.engine)
         thing.body.level_ground.collision = self.collision
         if not body.physflags & FLIES and body.physflags & PhysicsFlag.FLOOR_STICK:
             thing.body.rest_on_ground()
@@ -330,6 +314,6 @@ class Play:
 
 
 @cache
-def level() -> jktools.Level:
-    """The level that bodies move in."""
-    return jktools.load(LEVEL)
+def pack_level() -> jktools.Level:
+    """What sight past things is asked of: a compiled file has no faces of models."""
+    return jktools.load(f"{GOB}!jkl/smithdev.jkl")

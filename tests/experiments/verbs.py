@@ -262,19 +262,19 @@ class Running(Machine):
         return int(self.play.collision.surface_flags[surface])
 
     def verb_setsurfaceflags(self, surface: int, flags: int) -> None:
-        self.play.change(surface, flags=(flags, 0))
+        self.play.collision.change(surface, flags=(flags, 0))
 
     def verb_clearsurfaceflags(self, surface: int, flags: int) -> None:
-        self.play.change(surface, flags=(0, flags))
+        self.play.collision.change(surface, flags=(0, flags))
 
     def verb_getadjoinflags(self, surface: int) -> int:
         return int(self.play.collision.adjoin_flags[self.play.smithdev.level.surface_adjoin[surface]])
 
     def verb_setadjoinflags(self, surface: int, flags: int) -> None:
-        self.play.change(surface, adjoin=(flags, 0))
+        self.play.collision.change(surface, adjoin=(flags, 0))
 
     def verb_clearadjoinflags(self, surface: int, flags: int) -> None:
-        self.play.change(surface, adjoin=(0, flags))
+        self.play.collision.change(surface, adjoin=(0, flags))
 
     def verb_setfacegeomode(self, surface: int, mode: int) -> None:
         self.play.geo_modes[surface] = mode
