@@ -18,6 +18,7 @@ from jktools.facts.cog.counting import VIEWS
 from jktools.facts.cog.lowering import Op
 from jktools.facts.cog.rates import LEAST_DELAY, LOADING, PULSE, STARTUP, TIMER, TRIGGER, Site
 from jktools.facts.cog.repeats import NEVER, Repeats
+from jktools.facts.cog.stack import written
 from jktools.facts.hotspots.clocks import turns_off_own_pulse, turns_off_pulse_of_sender
 from jktools.facts.hotspots.runners import Runner
 from jktools.facts.hotspots.traces import Leaf, leaves
@@ -227,7 +228,7 @@ class Network:
 
     def _reaches_things_to_come(self, runner: Runner, site: Site) -> bool:
         """Whether a call can mean a thing that sent a message, and that play created."""
-        given = site.call.arguments[0] if site.call.arguments else None
+        given = written(runner.analysis.program, site.call)[0]
         verbs = (runner.analysis.program.verb_of(each) for each in _calls(runner, given))
         return runner.more and any(verb is not None and verb.name in SENDER_VERBS for verb in verbs)
 
@@ -237,7 +238,7 @@ class Network:
         if number is not None:
             return {int(number)}, True
         runner = sender.runner
-        given = site.call.arguments[0] if site.call.arguments else None
+        given = written(runner.analysis.program, site.call)[0]
         numbers: set[int] = set()
         known = True
         for leaf in [None] if given is None else leaves(runner.analysis, given, starts=True):
@@ -296,7 +297,7 @@ class Network:
         if number is not None:
             target = self._of_number(int(number))
             return target or set(), target is not None
-        given = site.call.arguments[argument] if len(site.call.arguments) > argument else None
+        given = written(runner.analysis.program, site.call)[argument]
         found: set[Runner] = set()
         known = True
         for leaf in [None] if given is None else leaves(runner.analysis, given, starts=True):
