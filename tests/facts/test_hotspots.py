@@ -287,6 +287,14 @@ def test_an_endless_loop_is_over_any_budget_though_its_ends_are_not_known() -> N
     assert told.message.startswith("cog 0 (look.cog) asks for sight any number of times a second")
 
 
+def test_a_loop_that_may_end_after_any_number_of_turns_is_over_no_budget() -> None:
+    script = looking("startup: SetPulse(1); return;", "pulse: while (Rand() < 0.5)", LOOK, "return;")
+    lines = placed_cog("20 21", *script)
+    assert [(h.calls_per_second, h.endless) for h in hotspots(*lines)] == [(math.inf, False)]
+    with level_with_files(*lines) as level:
+        assert lint(level, [find_rule("JK650")]) == []
+
+
 @pytest.mark.parametrize(("mask", "calls"), [("mask=0x405", 15), ("mask=0x404", 0), ("nolink", 0), ("", 15)])
 def test_pulses_of_things_reach_a_placed_script_by_its_links(mask: str, calls: float) -> None:
     lamps = [f"thing lamp{i} {mask}" for i in range(3)]
@@ -414,6 +422,17 @@ def test_a_script_that_a_thing_is_given_to_gets_messages_that_are_not_known(verb
     for given, told in ((verb, True), (verb.replace("other", "-1"), False)):
         (found,) = two_scripts([f"activated: {given}; return;"], [f"pulse: {LOOK} return;"])
         assert found.more is told
+
+
+@pytest.mark.parametrize(("answer", "more"), [("", False), ("call watch;", True)])
+def test_a_message_that_is_not_known_wakes_what_its_handler_comes_to(answer: str, more: bool) -> None:
+    start = ["startup: SendMessage(GetMasterCog(), user1); return;"]
+    loop = ["startup: call watch; return;", f"user1: {answer} return;", "watch: while (1) {"]
+    sleep = ["Sleep(0.25);", "} return;"]
+    assert [h.more for h in two_scripts(start, [*loop, LOOK, *sleep])] == [more]
+    # And what the loop sends on.
+    asked = ["user0: if (HasLOS(i, i) == 1) return; return;"]
+    assert [h.more for h in two_scripts([*start, *asked], [*loop, "SendMessage(back, user0);", *sleep])] == [more]
 
 
 def test_what_is_not_known_is_passed_on() -> None:

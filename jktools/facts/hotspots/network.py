@@ -353,11 +353,10 @@ class Network:
             inputs.open |= node.runner.more and _handler(node).message.id not in quiet
         grown = True
         while grown:
-            opened = {node.runner for node, inputs in self.inputs.items() if inputs.open}
             more = [
                 inputs
                 for inputs in self.inputs.values()
-                if not inputs.open and any(self.is_loose(s) or self._wakes(s, opened) for s in inputs.messages)
+                if not inputs.open and any(self.is_loose(s) or self.is_woken(s.sender, s.site) for s in inputs.messages)
             ]
             for inputs in more:
                 inputs.open = True
@@ -367,9 +366,16 @@ class Network:
         """Whether a call can happen more often than is known."""
         return self.inputs[sending.sender].open or self.may_be_disturbed(sending.sender, sending.site)
 
-    def _wakes(self, sending: Sending, opened: set[Runner]) -> bool:
+    def is_woken(self, node: Node, site: Site) -> bool:
         """Whether a message that is not known can add a turn to a loop that sleeps around a call."""
-        return sending.sender.runner in opened and self.passes(sending.sender, sending.site).per_interruption > 0
+        if not self.passes(node, site).per_interruption:
+            return False
+        return any(self.inputs[Node(node.runner, label)].open for label in self.wakers(node.runner, site))
+
+    def wakers(self, runner: Runner, site: Site) -> frozenset[str]:
+        """The handlers whose messages can come to the same loop around a call."""
+        repeats = self.repeats[runner]
+        return frozenset(n.label for n in self.live if n.runner is runner and site.block in repeats[n.label])
 
     def may_be_disturbed(self, node: Node, site: Site) -> bool:
         """Whether a loop on the way to a call can turn more often, by what a verb in it makes run in between.
