@@ -16,13 +16,14 @@ import numpy as np
 
 from jktools.engine.profile import Engine
 from jktools.facts.cog import ranges
+from jktools.facts.cog.counting import MOST_SEEN
 from jktools.facts.cog.rates import Site
 from jktools.facts.cog.repeats import FRAMES_PER_SECOND
 from jktools.facts.hotspots.ends import ANY_TYPE, FLOODS, NEXT, End, ends, seen_mask
 from jktools.facts.hotspots.pace import Paces
 from jktools.facts.hotspots.runners import Runner
 from jktools.facts.hotspots.verdicts import Verdict, Verdicts
-from jktools.facts.hotspots.work import MOST_SEEN, Place, SightWork, Work
+from jktools.facts.hotspots.work import Place, SightWork, Work
 from jktools.model import Level, Thing
 from jktools.syntax.template.parameters import TYPES
 

@@ -13,10 +13,11 @@ def startup_is_first(runner: Runner, inputs: Mapping[Node, Inputs]) -> bool:
     """Whether it comes once, and finds no other handler of its script asleep.
 
     The engine sends `startup` to one script after the other: what the first do in theirs, or in `loading`, can send
-    messages to those behind. Pulses and timers come later.
+    messages to those behind. Pulses and timers come later. A handler that is `open` may come at any time.
     """
     starts = [node for node in inputs if node.runner is runner and handler_of(node).message.name == STARTUP]
-    early = {node for node in inputs if handler_of(node).message.name in (STARTUP, LOADING)}.difference(starts)
+    early = {node for node, each in inputs.items() if each.open or handler_of(node).message.name in (STARTUP, LOADING)}
+    early.difference_update(starts)
     grown = True
     while grown:
         acts = any(_acts(node) for node in early)
