@@ -109,7 +109,7 @@ class Hotspot:
         if self.verdict is not Verdict.VARIES:
             return "the outcome is known beforehand: leave the test out"
         if math.isinf(self.calls_per_second):
-            return "end the loop after a known number of turns, or sleep in it"
+            return "end the loop after a known number of turns, or sleep in the loop itself"
         if self.pulse < math.inf and self.runner.cog is None and len(self.runner.things) > 1:
             return "test less often, and only for things that the player is near"
         if self.pulse < math.inf:
