@@ -207,16 +207,16 @@ def test_what_cannot_be_asked_is_answered_as_unknown(jklb_query: Path, tmp_path:
 
     path, _ = compiled_at(tmp_path, level_of(TWO_ROOMS))
     queries = np.zeros(7, QUERY)
-    queries["kind"] = [SIGHT, SIGHT, DROP, DROP, LOCATE, VISIBLE, 9]
-    queries["sector"] = [2, 0, -1, 0, 0, 2, 0]
+    queries["kind"] = [SIGHT, SIGHT, DROP, DROP, LOCATE, VISIBLE, 99]
+    queries["which"][:, 0] = [2, 0, -1, 0, 0, 2, 0]
     queries["origin"][1] = np.nan
     queries["target"][3, 0] = -1
     queries["origin"][4] = 2.0**150
     found, _ = ask(jklb_query, path, queries)
-    assert found[["first", "second", "third"]].tolist() == [
-        (0, 0, -1), (0, 0, -1), (5, -1, -1), (5, -1, 0), (-1, 0, 0), (0, 0, 0), (-1, -1, -1)
+    assert found["whole"][:, :3].tolist() == [
+        [0, 0, -1], [0, 0, -1], [5, -1, -1], [5, -1, 0], [-1, 0, 0], [0, 0, 0], [-1, -1, -1]
     ]  # fmt: skip
-    assert np.isnan(found["distance"][2:4]).all()
+    assert np.isnan(found["real"][2:4, 0]).all()
 
 
 def test_the_summary_and_the_times(jklb_query: Path, tmp_path: Path) -> None:
