@@ -242,16 +242,43 @@ def test_cmake_builds_the_sample(programs: Path, tmp_path: Path) -> None:
     )
 
 
+def blocks_of_the_readme() -> list[str]:
+    return re.findall(r"^```cpp\n(.*?)^```", (ROOT / "runtime/README.md").read_text(), re.DOTALL | re.MULTILINE)
+
+
 def test_the_code_of_the_readme_compiles(programs: Path) -> None:
-    readme = (ROOT / "runtime/README.md").read_text()
-    block = re.search(r"^```cpp\n(#include .*?)\n(.*?)^```", readme, re.DOTALL | re.MULTILINE)
-    assert block
-    include, code = block.groups()
+    include, code = blocks_of_the_readme()[0].split("\n", 1)
     source = programs / "readme.cpp"
     source.write_text(f"{include}\nvoid report(const std::string&);\nvoid shown() {{\n{code}\n}}\n")
     command = [compiler(), "-std=c++17", "-fsyntax-only", "-I", ROOT / "runtime", "-isystem", FLATBUFFERS, source]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_the_walk_of_the_readme(programs: Path, tmp_path: Path) -> None:
+    """Over the halls: floors at 0 up to x = 4, a pit of 2 JKU to 6, a bank to 8, a step of 1/16 to 8.5, 0.5 beyond."""
+    source = programs / "walk.cpp"
+    source.write_text(blocks_of_the_readme()[1])
+    program = built(str(source), programs / "walk", ("-O2", "-fno-exceptions", "-fno-rtti"))
+    path, compiled = compiled_at(tmp_path, halls())
+    floors = {
+        round(float(compiled.vertices[own][:, 0].min()), 3): surface
+        for surface in np.flatnonzero(compiled.surface_flags & 1).tolist()
+        for own in [compiled.geometry.corner_vertex[slice(*compiled.geometry.surface_corner_start[surface : surface + 2])]]
+        if compiled.vertices[own][:, 1].max() <= 4
+    }
+
+    def walk(*words: str) -> list[str]:
+        done = subprocess.run([program, path, *words], capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stderr) == (0, "")
+        return done.stdout.splitlines()
+
+    assert walk("walkplayer", "2", "2", ".18", ".02", "0") == [f"detaches at 4 2, 2 JKU over surface {floors[4]}"]
+    assert walk("WalkPlayer", "7", "2", ".18", ".02", ".01") == [
+        f"goes over to surface {floors[8]}, -0.0625 JKU down", "is stopped at 8.5 2.75"
+    ]  # fmt: skip
+    assert walk("walkplayer", "2", "2", ".18", "0", "-.02") == ["is stopped at 2 0"]
+    assert walk("another", "2", "2", ".18", "0", ".02") == [f"does not know surface {floors[0]}"]
 
 
 def test_the_commands_of_the_readme_are_those_that_are_tried_here() -> None:
