@@ -18,7 +18,7 @@ from jktools.compiler import CompiledLevel, CompileSettings, compile_level
 from jktools.facts.ledges import Kind
 from jktools.model import Level
 from jktools.session import load
-from tests.runtime.compiler import FLATBUFFERS, compiler
+from tests.runtime.compiler import FLATBUFFERS, built, compiler
 from tests.support.halls import crooked_halls, crossroads, halls
 from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
 
