@@ -149,13 +149,13 @@ class Walking:
     def knows(self, body: int, floor: int | ThingFace) -> bool:
         """Whether the edges of a floor were looked at for a body.
 
-        A thing that has no ledge anywhere is no floor, its model was not at hand, or it lies level among others
-        wherever it is, which the file does not tell apart.
+        A thing that has no ledge at a frame is no floor then, its model was not at hand, it is never there, or it lies
+        level among others: the file does not tell these apart.
         """
         if self._ledges is None or np.isnan(self._ledges.body_hover[body]):
             return False
         if isinstance(floor, ThingFace):
-            return floor.thing in self._things[body] and all(map(_taken, floor.corners))
+            return floor[:2] in self._places[body] and all(map(_taken, floor.corners))
         return 0 <= floor < len(self._floors) and bool(self._floors[floor])
 
     def leave(self, body: int, floor: int | ThingFace, origin: Point, target: Point) -> Leave:
@@ -214,9 +214,9 @@ class Walking:
         return found
 
     @cached_property
-    def _things(self) -> list[frozenset[int]]:
-        """Of each body, the things that have a ledge."""
-        return [frozenset(edge[0] for edge in edges if len(edge) > 2) for edges in self._edges]
+    def _places(self) -> list[frozenset[tuple[int, int]]]:
+        """Of each body, the things that have a ledge, with the frame."""
+        return [frozenset((edge[0], edge[1]) for edge in edges if len(edge) > 2) for edges in self._edges]
 
     @cached_property
     def _floors(self) -> npt.NDArray[np.bool_]:

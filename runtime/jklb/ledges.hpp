@@ -116,9 +116,11 @@ public:
     // says nothing about its edges.
     bool known(Index body) const { return exists(body) && !std::isnan(ledges_.body_hover(row(body))); }
 
-    // Whether the edges of a thing were looked at for a body: one that has no ledge anywhere is no floor, its model was
-    // not at hand, or it lies level among others wherever it is, which the file does not tell apart.
-    bool known(Index body, Index thing) const { return thing >= 0 && !between(body, of(thing), of(thing, true)).empty(); }
+    // Whether the file has ledges of a thing at a frame. One that has none is no floor then, its model was not at hand, it
+    // is never there, or it lies level among others: the file does not tell these apart.
+    bool known(Index body, Index thing, Index frame) const {
+        return thing >= 0 && !between(body, of(thing, frame), of(thing, frame, true)).empty();
+    }
 
     // The ledges of the edge that goes from a corner of a surface to the next one.
     EdgeLedges at(Index body, Index surface, Index corner) const {
@@ -184,11 +186,11 @@ private:
     bool exists(Index body) const { return body >= 0 && body < bodies(); }
     EdgeLedges none() const { return {ledges_, 0, 0}; }
 
-    // Before the first row of a thing, or behind its last.
-    static Key of(Index thing, bool behind = false) {
+    // Before the first row of a thing at a frame, or behind the last.
+    static Key of(Index thing, Index frame, bool behind = false) {
         constexpr Index kLeast = std::numeric_limits<Index>::min(), kMost = std::numeric_limits<Index>::max();
         const Index end = behind ? kMost : kLeast;
-        return {-1, thing, end, end, end, behind};
+        return {-1, thing, frame, end, end, behind};
     }
 
     // The rows of a body from one key to another.
@@ -228,7 +230,7 @@ private:
         if (floor.surface >= 0)
             return !floor.corners && floor.surface < mesh.surfaces() && mesh.sound(floor.surface) &&
                    mesh.passes_to(floor.surface) == kCarries;
-        if (!floor.corners || !known(body, floor.thing)) return false;
+        if (!floor.corners || !known(body, floor.thing, floor.frame)) return false;
         for (Index i = 0; i < floor.count; ++i)
             if (!Mesh::takes(floor.corners + 3 * i)) return false;
         return true;

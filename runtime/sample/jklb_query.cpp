@@ -1,8 +1,10 @@
 // Asks a compiled level: from the command line, by lines from standard input, or in binary by the thousand.
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <fstream>
 #include <iostream>
@@ -89,7 +91,7 @@ public:
             {"ledges", {&Oracle::ledges, 3, 4}},
             {"ledges-of-thing", {&Oracle::ledges_of_thing, 5, 6}},
             {"leave", {&Oracle::leave, 8, 8}},
-            {"leave-thing", {&Oracle::leave_thing, 19, kAny}},
+            {"leave-thing", {&Oracle::leave_thing, 0, kAny}},
             {"basins", {&Oracle::basins, 1, 1}},
             {"basin", {&Oracle::basin, 2, 2}},
         };
@@ -183,8 +185,8 @@ private:
     }
 
     std::string ledges_of_thing(const Words& words) const {
-        const Index body = this->body(words[1]), thing = this->thing(words[2], body);
-        return told(ledges_.of_thing(body, thing, frame(words[3]), index(words[4]), index(words[5])), words, 6);
+        const Index body = this->body(words[1]), frame = this->frame(words[3]), thing = this->thing(words, body, frame);
+        return told(ledges_.of_thing(body, thing, frame, index(words[4]), index(words[5])), words, 6);
     }
 
     std::string leave(const Words& words) const {
@@ -194,12 +196,13 @@ private:
     }
 
     std::string leave_thing(const Words& words) const {
-        const Index body = this->body(words[1]), thing = this->thing(words[2], body);
-        if ((words.size() - 11) % 3) throw Refused{"the last corner has not all three coordinates"};
+        if (words.size() < 20 || (words.size() - 11) % 3)
+            throw Refused{"leave-thing takes 4 numbers, 2 points and 3 corners or more"};
+        const Index body = this->body(words[1]), frame = this->frame(words[3]), thing = this->thing(words, body, frame);
         std::vector<double> corners;
         for (std::size_t i = 11; i < words.size(); i += 3)
             for (const double x : place(words, i).p) corners.push_back(x);
-        const auto on = jklb::Floor::of_thing(thing, frame(words[3]), index(words[4]), corners.data(),
+        const auto on = jklb::Floor::of_thing(thing, frame, index(words[4]), corners.data(),
                                               static_cast<Index>(corners.size() / 3));
         return told(ledges_.leave(mesh_, body, on, place(words, 5).p, place(words, 8).p));
     }
@@ -212,9 +215,10 @@ private:
         return surface;
     }
 
-    Index thing(const std::string& word, Index body) const {
-        const Index thing = index(word);
-        if (!ledges_.known(body, thing)) throw Refused{"no edge of thing " + word + " is listed"};
+    Index thing(const Words& words, Index body, Index frame) const {
+        const Index thing = index(words[2]);
+        if (!ledges_.known(body, thing, frame))
+            throw Refused{"no edge of thing " + words[2] + " is listed at frame " + words[3]};
         return thing;
     }
 
@@ -393,21 +397,37 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+// Why the last call of the system failed.
+std::string reason() {
+    std::string why = std::strerror(errno);
+    if (!why.empty() && why[0] >= 'A' && why[0] <= 'Z') why[0] = static_cast<char>(why[0] - 'A' + 'a');
+    return why;
+}
+
+std::vector<Query> queries_of(const std::string& path) {
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream bytes;
+    if (in && in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
+    if (errno) throw Refused{"cannot read " + path + ": " + reason()};
+    const std::string held = bytes.str();
+    if (held.size() % sizeof(Query)) throw Refused{path + " is not whole queries of 72 bytes"};
+    std::vector<Query> queries(held.size() / sizeof(Query));
+    if (!held.empty()) std::memcpy(queries.data(), held.data(), held.size());
+    return queries;
+}
+
 int binary(const Oracle& oracle, const std::string& from, const std::string& to) {
-    std::ifstream in(from, std::ios::binary);
-    if (!in) throw Refused{"cannot read " + from};
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    if (bytes.size() % sizeof(Query)) throw Refused{from + " is not whole queries of 72 bytes"};
-    std::vector<Query> queries(bytes.size() / sizeof(Query));
-    if (!bytes.empty()) std::memcpy(queries.data(), bytes.data(), bytes.size());
+    const std::vector<Query> queries = queries_of(from);
     std::vector<Answer> answers(queries.size());
     const std::clock_t start = std::clock();
     for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = answer(oracle, queries[i]);
     const double taken = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    errno = 0;
     std::ofstream out(to, std::ios::binary);
     out.write(reinterpret_cast<const char*>(answers.data()), static_cast<std::streamsize>(answers.size() * sizeof(Answer)));
     out.close();
-    if (!out) throw Refused{"cannot write " + to};
+    if (!out) throw Refused{"cannot write " + to + ": " + reason()};
     std::printf("%zu answers, %.9g s of processor\n", answers.size(), taken);
     return 0;
 }
@@ -436,14 +456,19 @@ int times(const std::string& path) {
 }
 
 int run(const Words& arguments) {
+    const std::string path = arguments[0], what = arguments.size() > 1 ? arguments[1] : "";
+    const std::size_t more = arguments.size() - std::min<std::size_t>(arguments.size(), 2);
+    if ((what == "-" || what == "--time") && more)
+        throw Refused{what + " takes no words, not " + std::to_string(more)};
+    if (what == "--binary" && more != 2) throw Refused{"--binary takes two files, not " + std::to_string(more)};
+    if (what == "--time") return times(path);
     std::string error;
-    if (arguments.size() == 2 && arguments[1] == "--time") return times(arguments[0]);
-    const std::optional<jklb::Level> level = jklb::Level::open(arguments[0], error);
+    const std::optional<jklb::Level> level = jklb::Level::open(path, error);
     if (!level) throw Refused{error};
-    if (arguments.size() == 1) return summary(arguments[0], *level), 0;
+    if (what.empty()) return summary(path, *level), 0;
     const Oracle oracle(*level);
-    if (arguments[1] == "-") return lines(oracle);
-    if (arguments[1] == "--binary" && arguments.size() == 4) return binary(oracle, arguments[2], arguments[3]);
+    if (what == "-") return lines(oracle);
+    if (what == "--binary") return binary(oracle, arguments[2], arguments[3]);
     std::cout << oracle.answer({arguments.begin() + 1, arguments.end()}) << '\n';
     return 0;
 }

@@ -14,10 +14,11 @@ import pytest
 
 from benchmarks.runtime_disagreement import QUESTIONS, asked_of
 from benchmarks.runtime_queries import ask, differing
-from jktools.compiler import CompiledLevel, CompileSettings, compile_level
+from jktools.compiler import CompiledLevel, CompileSettings, Ledge, ThingFace, compile_level
 from jktools.facts.ledges import Kind
 from jktools.model import Level
 from jktools.session import load
+from tests.facts.test_ledges_on_things import FRAMES, with_box
 from tests.runtime.compiler import FLATBUFFERS, built, compiler
 from tests.support.halls import crooked_halls, crossroads, halls
 from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
@@ -75,8 +76,12 @@ def answers(program: Path, path: Path, lines: list[str]) -> list[str]:
 
 def told(compiled: CompiledLevel, body: int, surface: int, corner: int, place: float | None = None) -> str:
     """A ledge as jklb_query tells it."""
+    return texts(compiled.ledges_at(body, surface, corner, place))
+
+
+def texts(ledges: list[Ledge]) -> str:
     texts = []
-    for each in compiled.ledges_at(body, surface, corner, place):
+    for each in ledges:
         text = f"{each.start:.9g} to {each.end:.9g} {Kind(each.kind).name.lower()}"
         text += f", surface {each.below}" if each.below >= 0 else ""
         text += f", face {each.onto_face} of thing {each.onto}" if each.onto >= 0 else ""
@@ -119,6 +124,50 @@ def test_ledges_of_a_real_level_that_lead_onto_things(corpus: Path, jklb_query: 
     assert answers(jklb_query, path, ["ledges 0 346 4 .7772"]) == [
         "0.777153552 to 0.777292371 wall, face 2 of thing 74"
     ]
+
+
+def left(compiled: CompiledLevel, floor: int | ThingFace, origin: list[float], target: list[float]) -> str:
+    """What jklb_query tells of a way."""
+    leave = compiled.leave(0, floor, origin, target)
+    if leave.corner < 0:
+        return "stays" if leave.kind == Kind.LEVEL else "unknown"
+    text = f"leaves by corner {leave.corner} at {leave.place:.9g}, {leave.along:.9g} along the way: "
+    text += Kind(leave.kind).name.lower()
+    text += f", surface {leave.ledge.below}" if leave.ledge.below >= 0 else ""
+    text += f", face {leave.ledge.onto_face} of thing {leave.ledge.onto}" if leave.ledge.onto >= 0 else ""
+    text += f", {leave.drop:.9g} JKU down" if leave.drop == leave.drop else ""
+    return text + (", detaches" if leave.detaches else "")
+
+
+def test_ways_over_things_are_those_of_python(jklb_query: Path, tmp_path: Path) -> None:
+    """Over the top of a box, its placed pose and frame 1, from places on a grid to others, its corners among them."""
+    frames = FRAMES.format(a=-0.2, b=-0.35).replace("1.4", "1.5")
+    with with_box(".5 1.5 -.2 0 0 0", more=frames) as level:
+        path, compiled = compiled_at(tmp_path, level)
+    rng = np.random.default_rng(8)
+    lines, wanted = [], []
+    for frame, top in ((-1, -0.075), (1, -0.225)):
+        ring = [[x, y, top] for x, y in ((0.125, 1.125), (0.875, 1.125), (0.875, 1.875), (0.125, 1.875))]
+        for origin, target in (rng.integers([0, 8, 0], [9, 17, 1], (150, 2, 3)) / 8).tolist():
+            words = [f"{x:.17g}" for point in (origin, target, *ring) for x in point]
+            lines.append(f"leave-thing 0 2 {'placed' if frame < 0 else frame} 0 " + " ".join(words))
+            wanted.append(left(compiled, ThingFace(2, frame, 0, ring), origin, target))
+    assert answers(jklb_query, path, lines) == wanted
+    said = {re.sub(r"[\d.]+", "0", text) for text in wanted}
+    assert said == {
+        "stays",
+        "unknown",
+        "leaves by corner 0 at 0, 0 along the way: fall, surface 0, 0 JKU down, detaches",
+    }
+    edges = [(frame, corner) for frame in (-1, 1) for corner in range(4)]
+    asked = [f"ledges-of-thing 0 2 {'placed' if frame < 0 else frame} 0 {corner}" for frame, corner in edges]
+    found = answers(jklb_query, path, asked)
+    assert found == [texts(compiled.ledges_of_thing(0, 2, frame, 0, corner)) for frame, corner in edges]
+    assert answers(jklb_query, path, [f"{line} .5" for line in asked]) == found
+    assert answers(jklb_query, path, ["ledges-of-thing 0 2 placed 1 0"]) == ["level"]
+    assert answers(jklb_query, path, ["ledges-of-thing 0 2 0 0 0", "leave-thing 0 1 placed 0" + " 0" * 15]) == [
+        "refused: no edge of thing 2 is listed at frame 0", "refused: no edge of thing 1 is listed at frame placed"
+    ]  # fmt: skip
 
 
 def test_what_is_no_edge_of_a_floor_is_not_said_to_be_level(jklb_query: Path, tmp_path: Path) -> None:
@@ -193,11 +242,23 @@ def test_a_way_that_parts_at_an_edge(first: bool, second: bool, jklb_query: Path
         (["ledges", "0", "0", "0"], "how high body 0 floats was not known when the level was compiled"),
         (["basins", "0"], "how high body 0 floats was not known when the level was compiled"),
         (["basins", "1"], "body 1 does not exist: there are 1"),
-        (["--binary", "nowhere", "out"], "cannot read nowhere"),
+        (["ledges", "kyle", "0", "0"], "no body is of the template 'kyle'"),
+        (["leave", "0", "0", "1"], "leave takes 8 words, not 3"),
+        (["leave-thing", "0", "0", "0", "0", *"0" * 16], "leave-thing takes 4 numbers, 2 points and 3 corners or more"),
+        (["--binary", "nowhere", "out"], "cannot read nowhere: no such file or directory"),
+        (["--binary", ".", "out"], "cannot read .: is a directory"),
+        (["--binary", "odd", "out"], "odd is not whole queries of 72 bytes"),
+        (["--binary", "none", "nowhere/out"], "cannot write nowhere/out: no such file or directory"),
+        (["--binary", "none"], "--binary takes two files, not 1"),
+        (["--time", "1"], "--time takes no words, not 1"),
+        (["-", "1"], "- takes no words, not 1"),
+        (["--what"], "no question '--what'; ask without one for help"),
     ],
 )
 def test_a_wrong_question_is_one_sentence(arguments: list[str], why: str, jklb_query: Path, tmp_path: Path) -> None:
     path, _ = compiled_at(tmp_path, level_of(TWO_ROOMS))
+    (tmp_path / "none").touch()
+    (tmp_path / "odd").write_bytes(bytes(71))
     done = subprocess.run([jklb_query, path, *arguments], capture_output=True, text=True, check=False, cwd=tmp_path)
     assert (done.returncode, done.stdout, done.stderr) == (2, "", f"jklb_query: error: {why}\n")
 
@@ -264,7 +325,9 @@ def test_the_walk_of_the_readme(programs: Path, tmp_path: Path) -> None:
     floors = {
         round(float(compiled.vertices[own][:, 0].min()), 3): surface
         for surface in np.flatnonzero(compiled.surface_flags & 1).tolist()
-        for own in [compiled.geometry.corner_vertex[slice(*compiled.geometry.surface_corner_start[surface : surface + 2])]]
+        for own in [
+            compiled.geometry.corner_vertex[slice(*compiled.geometry.surface_corner_start[surface : surface + 2])]
+        ]
         if compiled.vertices[own][:, 1].max() <= 4
     }
 
