@@ -70,14 +70,20 @@ def ways_of(compiled: CompiledLevel, count: int, rng: np.random.Generator) -> As
     queries["which"][:, 0] = _bodies(compiled, count, rng)
     edges, at = _edges(compiled, queries["which"][:, 0], rng)
     queries["which"][:, 1] = edges[:, 0]
-    start, vertex = compiled.geometry.surface_corner_start.astype(int), compiled.geometry.corner_vertex
-    for query, surface, corner, place in zip(queries, *edges.T.tolist(), at.tolist(), strict=True):
-        if not (0 <= surface < len(start) - 1 and start[surface + 1] > start[surface]):
-            continue
-        ring = compiled.vertices[vertex[start[surface] : start[surface + 1]]].astype(np.float64)
-        with np.errstate(all="ignore"):  # some vertices are not finite, some ends are meant not to be
-            query["origin"], query["target"] = _way(ring, corner % len(ring), place, rng)
-    return Asked(queries, _answered(_left(compiled, query) for query in queries))
+    start = compiled.geometry.surface_corner_start.astype(np.int64)
+    surface = np.clip(edges[:, 0], 0, len(start) - 2)
+    first, corners = start[surface], np.diff(start)[surface]
+    here = edges[:, 1] % np.maximum(corners, 1)
+    # The corners of a surface without any are not looked at.
+    vertex = np.append(compiled.geometry.corner_vertex, 0)
+    positions = compiled.vertices.astype(np.float64)
+    with np.errstate(all="ignore"):  # some vertices are not finite, some ends are meant not to be
+        sums = np.concatenate([np.zeros((1, 3)), np.cumsum(positions[compiled.geometry.corner_vertex], axis=0)])
+        middle = (sums[start[surface + 1]] - sums[first]) / np.maximum(corners, 1)[:, None]
+        ends = [positions[vertex[first + k]] for k in (here, (here + 1) % np.maximum(corners, 1))]
+        queries["origin"], queries["target"] = _ways(ends, middle, at, rng)
+    told = zip(queries["which"][:, :2].tolist(), queries["origin"].tolist(), queries["target"].tolist(), strict=True)
+    return Asked(queries, _answered(_left(compiled, *way) for way in told))
 
 
 def basins_at(compiled: CompiledLevel, count: int, rng: np.random.Generator) -> Asked:
@@ -165,24 +171,24 @@ def _changeovers(start: Array, end: Array, rng: np.random.Generator) -> Array:
     return np.choose(rng.integers(4, size=len(start)), [ends, beside, single.astype(np.float64), within])
 
 
-def _way(ring: Array, corner: int, place: float, rng: np.random.Generator) -> tuple[Array, Array]:
-    """From a floor's middle, corner or edge, or from anywhere, over a place of an edge or along it."""
-    here, there = ring[corner], ring[(corner + 1) % len(ring)]
-    place = float(np.clip(np.nan_to_num(place), 0, 1)) if rng.random() < 0.9 or not np.isfinite(place) else place
-    over = here + (there - here) * place
-    middle = ring.mean(axis=0)
-    across = (middle - over) * rng.choice([1.0, 0.5, 1e-3, 1e-12])
-    kind = int(rng.integers(8))
-    origin = (middle, over, here, over + across, over + across, middle, over - across, there)[kind]
-    target = (
-        over - across, over - across, there, over - across, over, here - (middle - here) * 0.25, middle, over,
-    )[kind]  # fmt: skip
-    if rng.random() < 0.3:
-        # As the engine holds positions.
-        return origin.astype(np.float32), target.astype(np.float32)
-    if rng.random() < 0.05:
-        return np.nextafter(origin, 1e9), target * rng.choice([1.0, 2.0**150, np.nan, 1e-300])
-    return origin, target
+def _ways(ends: list[Array], middle: Array, place: Array, rng: np.random.Generator) -> tuple[Array, Array]:
+    """From a floor's middle, corner or edge, or from anywhere, over places of edges or along them."""
+    count = len(place)
+    here, there = ends
+    within = np.clip(np.nan_to_num(place), 0, 1)
+    over = here + (there - here) * np.where((rng.random(count) < 0.9) | ~np.isfinite(place), within, place)[:, None]
+    across = (middle - over) * rng.choice([1.0, 0.5, 1e-3, 1e-12], (count, 1))
+    kind = np.broadcast_to(rng.integers(8, size=(count, 1)), (count, 3))
+    origin = np.choose(kind, [middle, over, here, over + across, over + across, middle, over - across, there])
+    target = np.choose(
+        kind,
+        [over - across, over - across, there, over - across, over, here - (middle - here) * 0.25, middle, over],
+    )
+    # As the engine holds positions; beside, and out of bounds.
+    single, odd = rng.random((count, 1)) < 0.3, rng.random((count, 1)) < 0.05
+    origin, target = (np.where(single, each.astype(np.float32).astype(np.float64), each) for each in (origin, target))
+    scale = rng.choice([1.0, 2.0**150, np.nan, 1e-300], (count, 1))
+    return np.where(odd, np.nextafter(origin, 1e9), origin), np.where(odd, target * scale, target)
 
 
 def _ledge(compiled: CompiledLevel, body: int, *edge_and_query: object) -> tuple[list[int], list[float]]:
@@ -199,11 +205,13 @@ def _ledge(compiled: CompiledLevel, body: int, *edge_and_query: object) -> tuple
     return told, [found.start, found.end, found.drop_start, found.drop_end, found.drop(place)]
 
 
-def _left(compiled: CompiledLevel, query: Array) -> tuple[list[int], list[float]]:
-    body, surface = query["which"][:2].tolist()
+def _left(
+    compiled: CompiledLevel, floor: list[int], origin: list[float], target: list[float]
+) -> tuple[list[int], list[float]]:
+    body, surface = floor
     if not 0 <= body < _there(compiled):
         return [-1, 9, 9, -1, -1, 0, -1, -1], [1.0, 0.0, np.nan, 0.0, 1.0]
-    found: Leave = compiled.leave(body, surface, query["origin"].tolist(), query["target"].tolist())
+    found: Leave = compiled.leave(body, surface, origin, target)
     told = [found.corner, found.kind, found.ledge.other_kind, *_onto(found.ledge)]
     return told, [found.along, found.place, found.drop, found.ledge.start, found.ledge.end]
 
@@ -225,6 +233,6 @@ def _basins(compiled: CompiledLevel, body: int) -> dict[int, tuple[list[int], li
 def _answered(told: Iterable[tuple[list[int], list[float]]]) -> Array:
     pairs = list(told)
     answers = np.zeros(len(pairs), ANSWER)
-    for answer, (whole, real) in zip(answers, pairs, strict=True):
-        answer["whole"][: len(whole)], answer["real"][: len(real)] = whole, real
+    answers["whole"] = [(whole + [0] * 8)[:8] for whole, _ in pairs]
+    answers["real"] = [(real + [0.0] * 6)[:6] for _, real in pairs]
     return answers
