@@ -11,7 +11,6 @@ from jktools.geometry import Accuracy
 from jktools.session.levels import load
 from jktools.session.opening import is_compiled
 from jktools.session.settings import Game
-from jktools.session.targets import COMPILED_SUFFIX
 
 
 def open_both(
