@@ -10,9 +10,9 @@ from jktools.compiler import CompiledFileError, CompiledLevel, CompileSettings, 
 from jktools.compiler.reader import IDENTIFIER
 from jktools.engine.profile import Engine
 from jktools.geometry import Accuracy
-from jktools.session.batch import COMPILED_SUFFIX
 from jktools.session.levels import load
 from jktools.session.settings import Game
+from jktools.session.targets import COMPILED_SUFFIX
 
 
 def is_compiled(path: str) -> bool:
