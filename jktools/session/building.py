@@ -13,7 +13,7 @@ from jktools.session.jobs import Start, built_in_processes
 from jktools.session.members import members_of
 from jktools.session.progress import Progress, silent
 from jktools.session.settings import Settings
-from jktools.session.targets import targets_of
+from jktools.session.targets import targets
 
 
 def build_all(
@@ -34,13 +34,13 @@ def build_all(
     built = Built()
     library = Library(settings.base)
     members = members_of(paths, built.problems)
-    targets = targets_of(members, out)
+    places = targets(members, out)
     jobs = min(jobs or os.cpu_count() or 1, len(members))
     if jobs > 1:
         start = Start(tuple(paths), settings, compiling)
-        built.add(built_in_processes(start, members, targets, jobs, progress))
+        built.add(built_in_processes(start, members, places, jobs, progress))
         return built
-    for done, (member, target) in enumerate(zip(members, targets, strict=True)):
+    for done, (member, target) in enumerate(zip(members, places, strict=True)):
 
         def at_pass(name: str, done: int = done, path: str = member.path) -> None:
             progress(done, len(members), f"{path}: {name}")

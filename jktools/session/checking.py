@@ -31,8 +31,8 @@ class Batch:
 
     diagnostics: list[Diagnostic] = field(default_factory=list)
     """In the one order of every output."""
-    files: int = 0
-    """Levels and scripts read."""
+    read: list[str] = field(default_factory=list)
+    """The paths of the levels, scripts and assets that were read."""
     problems: list[str] = field(default_factory=list)
     """Paths that could not be read, one sentence each."""
     stats: list[KindCount] = field(default_factory=list)
@@ -41,7 +41,13 @@ class Batch:
     def joined(self, other: Batch) -> Batch:
         """This batch and another as one, in order."""
         found = sorted([*self.diagnostics, *other.diagnostics], key=lambda d: d.sort_key)
-        return Batch(found, self.files + other.files, [*self.problems, *other.problems], added(self.stats, other.stats))
+        read, problems = [*self.read, *other.read], [*self.problems, *other.problems]
+        return Batch(found, read, problems, added(self.stats, other.stats))
+
+    @property
+    def files(self) -> int:
+        """How many were read."""
+        return len(self.read)
 
     def __iter__(self) -> Iterator[Diagnostic]:
         return iter(self.diagnostics)
@@ -67,7 +73,6 @@ def check(
     known = {identity_of(member) for member in members}
     usage = Usage() if stats or any(r.code in (UNUSED_FILE, MISPLACED_FILE) for r in rules) else None
     used: set[int] = set()
-    seen: list[str] = []
     for done, member in enumerate(members):  # grows by the scripts that levels bind
         progress(done, len(members), member.path)
         try:
@@ -90,7 +95,7 @@ def check(
             continue
         members += bound
         known.update(map(identity_of, bound))
-        batch.files += 1
+        batch.read.append(member.path)
         resources = document.resources if isinstance(document, Level) else library.resources_of(member)
         facts: Facts
         if script is not None:
@@ -103,12 +108,11 @@ def check(
             usage.add(document, resources)
         found = lint(document, rules, facts, settings.options)
         batch.diagnostics += with_settings(found, settings, used)
-        seen.append(member.path)
     if usage is not None:
         chosen = {r.code for r in rules}
         batch.diagnostics += with_settings([d for d in usage.findings() if d.code in chosen], settings, used)
         batch.stats = usage.counts()
-    batch.diagnostics += unused_ignores(settings, used, seen, [r.code.id for r in rules])
+    batch.diagnostics += unused_ignores(settings, used, batch.read, [r.code.id for r in rules])
     batch.diagnostics.sort(key=lambda d: d.sort_key)
     return batch
 

@@ -1,4 +1,4 @@
-"""Where each level that is compiled goes."""
+"""Where what is made of levels is written."""
 
 from __future__ import annotations
 
@@ -11,21 +11,24 @@ from jktools.source.container import PACK_SEPARATOR
 COMPILED_SUFFIX = ".jklb"
 
 
-def targets_of(members: Sequence[Member], out: Path) -> list[Path]:
-    """OUT itself for one level when it names a file; else OUT/<stem>, or OUT/<pack>/<stem> when stems clash."""
-    if out.suffix.lower() == COMPILED_SUFFIX:
+def targets(members: Sequence[Member], out: Path, suffix: str = COMPILED_SUFFIX) -> list[Path]:
+    """OUT itself for one level when it names a file; else OUT/<stem>, or OUT/<pack>/<stem> when stems clash.
+
+    Raises InputError when OUT cannot hold them all.
+    """
+    if out.suffix.lower() == suffix:
         if len(members) > 1:
             raise InputError(f"cannot write {len(members)} levels into {out}: name a folder")
         return [out for _ in members]
     stems = [PurePosixPath(m.name).stem.lower() for m in members]
     if len(set(stems)) == len(stems):
-        return [out / f"{stem}{COMPILED_SUFFIX}" for stem in stems]
-    places = [out / _folder(m) / f"{stem}{COMPILED_SUFFIX}" for m, stem in zip(members, stems, strict=True)]
+        return [out / f"{stem}{suffix}" for stem in stems]
+    places = [out / _folder(m) / f"{stem}{suffix}" for m, stem in zip(members, stems, strict=True)]
     if len(set(places)) < len(places):  # equal names in packs of equal names: the whole path tells them apart
-        places = [out / _steps(m.path).with_suffix(COMPILED_SUFFIX) for m in members]
+        places = [out / _steps(m.path).with_suffix(suffix) for m in members]
     clash = next((p for i, p in enumerate(places) if p in places[:i]), None)
     if clash is not None:
-        raise InputError(f"two levels would be written to {clash}: build them into two folders")
+        raise InputError(f"two levels would be written to {clash}: write them into two folders")
     return places
 
 
