@@ -129,5 +129,9 @@ def _suffix(output: Path) -> str:
     suffix = output.suffix.lower().removeprefix(".")
     if suffix not in FORMATS:
         raise click.BadParameter(f"{output.name} names no format: .png or .svg", param_hint="--output")
+    if not output.parent.is_dir():
+        raise click.BadParameter(
+            f"there is no folder {output.parent} to write {output.name} into", param_hint="--output"
+        )
     need_matplotlib()
     return suffix

@@ -82,6 +82,7 @@ def test_runs_with_the_body_of_a_template(here: Path, level_file: Path, capsys: 
         ("run icy.txt --level rooms.jkl --at .5,.5,.1,0", "icy.txt: a script for a level has no floor"),
         ("run walk.txt -o a.gif", "a.gif names no format"),
         ("run none.txt", "cannot read none.txt: no such file or directory"),
+        ("run walk.txt -o no/such/a.csv", "there is no folder no/such to write a.csv into"),
         ("run walk.txt --set speed=1", "speed is none of airdrag"),
         ("run walk.txt --set mass=heavy", "'heavy' is no value for mass"),
         ("run walk.txt --set mass=nan", "'nan' is no value for mass"),
