@@ -560,6 +560,8 @@ def open_compiled(path: str | Path, verify: bool = False) -> CompiledLevel:
 
     Always checks that no offset and no index leads out of the file; `verify` compares the checksum too.
     """
+    if not str(path):
+        raise CompiledFileError("cannot read an empty path")
     try:
         data = memoryview(mapping(path))
     except ValueError as error:
