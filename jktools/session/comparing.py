@@ -11,7 +11,6 @@ from jktools.geometry import Accuracy
 from jktools.session.levels import load
 from jktools.session.opening import is_compiled
 from jktools.session.settings import Game
-from jktools.session.targets import COMPILED_SUFFIX
 
 
 def open_both(
@@ -50,5 +49,6 @@ def settings_of(level: CompiledLevel) -> CompileSettings:
         told = ", ".join(f"{key} {value}" for key, value in recorded.items())
         raise CompiledFileError(f"cannot compile again as {level.path} was, for {told}: use the jktools that wrote it")
     return CompileSettings(
-        recorded["engine"], accuracy, frozenset(level.only), frozenset(level.skip), cut_anyway=level.cut_anyway
-    )
+        recorded["engine"], accuracy, frozenset(level.only), frozenset(level.skip), cut_anyway=level.cut_anyway,
+        plain=level.plain,
+    )  # fmt: skip

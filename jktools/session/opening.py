@@ -8,9 +8,9 @@ from pathlib import Path
 from jktools.compiler import CompiledLevel, open_compiled
 from jktools.compiler.reader import IDENTIFIER
 from jktools.model import Level
-from jktools.session.batch import COMPILED_SUFFIX
 from jktools.session.levels import load
 from jktools.session.settings import Game
+from jktools.session.targets import COMPILED_SUFFIX
 from jktools.source import InputError
 
 

@@ -6,4 +6,5 @@
 #include "locate.hpp"
 #include "mesh.hpp"
 #include "sight.hpp"
+#include "templates.hpp"
 #include "walking.hpp"
