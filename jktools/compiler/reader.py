@@ -23,10 +23,12 @@ from jktools.compiler.columns import OMISSION, SECTIONS, STRINGS, TEXT, Column, 
 from jktools.compiler.errors import CompiledFileError
 from jktools.compiler.held import HeldTemplate, templates_of
 from jktools.compiler.inheritance import inherited
+from jktools.compiler.leaving import Point
 from jktools.compiler.packing import INDICES, VECTORS, Stored, absent
-from jktools.compiler.queries import Basin, Ledge, basins_of, ledges_at, plan_of
+from jktools.compiler.queries import plan_of
 from jktools.compiler.slots import wanted
 from jktools.compiler.text import decoded
+from jktools.compiler.walking import Basin, Leave, Ledge, ThingFace, Walking
 from jktools.geometry import Plan, SectorMesh, expanded, unpacked
 
 FORMAT_MAJOR, FORMAT_MINOR = 1, 3
@@ -284,20 +286,48 @@ class CompiledLevel:
         """
         return SectorMesh.from_plan(self.plan)
 
+    @cached_property
+    def _walking(self) -> Walking:
+        return Walking(self.geometry, self.ledges, self.basins)
+
+    def body_of(self, template: str) -> int:
+        """Number of the body of a template, by its name in any case. Raises KeyError for one that has none."""
+        return self._walking.body_of(template, self.strings)
+
     def ledges_at(self, body: int, surface: int, corner: int, place: float | None = None) -> list[Ledge]:
         """What a body meets beyond the edge that goes from a corner of a floor to the next one, along the edge.
 
         With `place`, 0 .. 1 along the edge, the first that holds it. An edge, or a part of one, without a ledge goes
         on level. Raises IndexError for a body that the file does not have.
         """
-        if self.ledges is None:
-            raise IndexError(f"body {body} does not exist: there are 0")
-        found = list(ledges_at(self.ledges, body, surface, corner))
-        return found if place is None else [each for each in found if each.start <= place <= each.end][:1]
+        return self._walking.at(body, (surface, corner), place)
+
+    def ledges_of_thing(
+        self, body: int, thing: int, frame: int, face: int, corner: int, place: float | None = None
+    ) -> list[Ledge]:
+        """The same beyond an edge of a face of a thing (source index) where it is placed (-1) or at one of its frames.
+
+        A frame at which it is as it is placed counts as that. The face is that of its model at rest.
+        """
+        return self._walking.at(body, (thing, frame, face, corner), place)
+
+    def leave(self, body: int, floor: int | ThingFace, origin: Point, target: Point) -> Leave:
+        """What comes of a body that moves straight over the floor that it stands on, a surface or a face of a thing.
+
+        By which edge it leaves it, seen from above, and what it comes onto there. Both points are its position, x y z,
+        JKU. The way starts over the floor or on an edge of it; of another way, of coordinates that are not finite or
+        2^150 or more, and of what is no floor, the kind is UNKNOWN. Raises IndexError for a body that the file does not
+        have.
+        """
+        return self._walking.leave(body, floor, origin, target)
 
     def basins_of(self, body: int) -> list[Basin]:
         """Where a body can fall in and every way out goes up; none for a body that the file does not have."""
-        return [] if self.basins is None else list(basins_of(self.basins, body))
+        return list(self._walking.basins_of(body))
+
+    def basin_at(self, body: int, surface: int) -> Basin | None:
+        """The basin of a body that holds a surface."""
+        return next((each for each in self._walking.basins_of(body) if surface in each.surfaces), None)
 
     def template(self, name: str) -> HeldTemplate | None:
         """The template of a name, free of case, of those that the file has; the first, as in the engine."""

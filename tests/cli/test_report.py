@@ -93,7 +93,7 @@ def test_a_finding_has_the_place_of_its_object() -> None:
 
 
 def test_every_finding_of_lint_is_on_the_page(capsys: pytest.CaptureFixture[str]) -> None:
-    main(["lint", "fixtures/broken/engine", "--format", "json"])
+    main(["lint", ENGINE, "--format", "json"])
     said = json.loads(capsys.readouterr().out)["diagnostics"]
     page = page_of(ENGINE)
     assert len(page.findings) == len(said) > 0
