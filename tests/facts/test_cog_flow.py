@@ -138,10 +138,9 @@ def test_labels_lead_into_each_other() -> None:
         ("startup", "sub", "call"), ("startup", "pulse", "goto"), ("startup", "timer", "falls"),
         ("timer", "pulse", "falls"),
     }  # fmt: skip
-    assert [(label.label.name, source) for label, source in each.reach.falls] == [
-        ("timer", "startup"),
-        ("pulse", "timer"),
-    ]
+    label_of = each.reach.label_of
+    falls = [(label.label.name, {label_of[block] for block in ends}) for label, ends in each.reach.falls]
+    assert falls == [("timer", {"startup"}), ("pulse", {"timer"})]
 
 
 def test_a_jump_leads_to_the_label_that_it_names_and_on_through_those_below() -> None:
