@@ -19,6 +19,7 @@ from jktools.engine import infrared
 from jktools.engine.framebuffer import quantise
 from jktools.engine.profile import Engine
 from jktools.source import resolve
+from tests.experiments.play import Play
 from tests.experiments.smithdev import GOLDEN, Experiment
 
 ROOM = "colour_room"
@@ -87,6 +88,26 @@ def test_every_sample_of_the_document_is_a_call_of_the_room(smithdev: Experiment
     assert {tuple(map(float, sample["effect"])) for sample in GOLDEN["color"]["sample"]} <= in_room
 
 
+def test_the_switches_make_the_calls_that_the_compiled_level_has(smithdev: Experiment) -> None:
+    """In play: `sd_effects.cog` one call a press and none behind the last, the others on and off by turns."""
+    held = smithdev.level.colour_effects
+    assert held is not None
+    play = Play(smithdev, f"{ROOM}/door")
+    number = len([call for calls in SECTIONS.values() for call in calls])
+    scripts = {"effects": number, "blinding 0": 1, "blinding 8": 1, "seeing 0": 1, "seeing 8": 1}
+    for switch, (script, calls) in enumerate(scripts.items()):
+        before = len(play.effects)
+        for _ in range(calls):
+            play.press(f"switch {switch}")
+            assert play.effect == len(play.effects) - 1
+        play.press(f"switch {switch}")
+        assert play.effect is None, "the last press ends it"
+        made = {tuple(round(value, 4) for value in call) for call in play.effects[before:]}
+        assert len(play.effects) - before == calls
+        rows = np.flatnonzero(held.cog == smithdev.cog(f"{ROOM}/{script}"))
+        assert {tuple(round(float(value), 4) for value in held.argument[row]) for row in rows} == made
+
+
 def test_color_effects(smithdev: Experiment) -> None:
     """The test texture: all regions but magenta and cyan are in the palette exactly, and at their place."""
     pixels = packed("mat/sd_rgb.mat")[-SIDE * SIDE :]
@@ -137,6 +158,7 @@ def test_tint(smithdev: Experiment) -> None:
     assert shown(smithdev, call(tint=(2, 0, 0)), WHITE) == (255, 0, 0)
     rests = [shown(smithdev, call(tint=(x, 0, 0)), WHITE)[1] for x in (0.5, 1, 1.5, 2)]
     assert np.abs(np.diff([255, *rests]) + 255 / 4).max() <= 255 / 63
+    assert "tint" in GOLDEN["color"]["equal"]["equal_on_all_channels_has_no_effect"]
     for x in (1, 2):
         assert picture(smithdev, call(tint=x)) == list(MEASURED)
 
@@ -150,6 +172,7 @@ def test_filter(smithdev: Experiment) -> None:
     for filters in ((1, 1, 0), (1, 0, 1), (0, 1, 1)):
         expected = [tuple(c * f for c, f in zip(color, filters, strict=True)) for color in MEASURED]
         assert picture(smithdev, call(filters)) == expected
+    assert "filter" in GOLDEN["color"]["equal"]["equal_on_all_channels_has_no_effect"]
     assert picture(smithdev, call(1)) == list(MEASURED)
 
 
@@ -202,30 +225,46 @@ def test_filter_and_brightness_and_tint(smithdev: Experiment) -> None:
     samples(smithdev, call((1, 0, 0), (2, 0, 0), brightness=0.5))
 
 
+def arguments(call: str, rank: int) -> list[float]:
+    """The numbers of a call as the document quotes it, at a jedi rank."""
+    inside, _, rest = call.partition("(")[2].partition(")")
+    assert rest in ("", ", rank 0..8")
+    return [float(eval(word, {"__builtins__": {}}, {"rank": rank})) for word in inside.split(",")]
+
+
 def test_coloreffect_according_to_datamaster(smithdev: Experiment) -> None:
-    """Its ranges hold for the game's own calls, of which the greatest is just the greatest add."""
-    assert "rank 0..8" in GOLDEN["color"]["real_calls"]["kyle.cog"]
-    for rank in (0, 8):
-        blinding = call(add=(200 + 8 * rank, 210 + 10 * rank, 200 + 8 * rank))
+    """Its ranges hold for the game's own calls, of which the greatest is just the greatest add.
+
+    `sd_blinding.cog` and `sd_seeing.cog` in play make those calls, to the number.
+    """
+    real, play = GOLDEN["color"]["real_calls"], Play(smithdev, f"{ROOM}/door")
+    for i, rank in enumerate((0, 8), start=1):
+        play.press(f"switch {i}")
+        play.press(f"switch {i + 2}")
+        blinding, seeing = (arguments(real[script], rank) for script in ("kyle.cog", "force_seeing.cog"))
+        assert play.effects[-2:] == [tuple(blinding), tuple(seeing)]
         drawn = shown(smithdev, blinding, BLACK, f"blinding {rank}")
         assert drawn[1] > drawn[0] == drawn[2] or drawn[1] == 255
         assert (drawn[1] == 255) is (max(blinding[6:9]) >= GOLDEN["color"]["max_add"])
-        seeing = after(smithdev, call((0, 1, 1)), f"seeing {rank}")
-        assert not seeing[:, 0].any() and seeing[:, 1:].any(axis=0).all()
+        seen = after(smithdev, seeing, f"seeing {rank}")
+        assert not seen[:, 0].any() and seen[:, 1:].any(axis=0).all()
 
 
 def test_ir_mode(smithdev: Experiment) -> None:
-    """Fully lit in the document; by the decompiled engine at the first argument, which runs from 0.3 to 0.7 by rank."""
-    held = smithdev.level.cogs
-    assert held is not None
-    ranks = []
-    for name in ("seeing 0", "seeing 8"):
-        row = int(np.flatnonzero(held.source == smithdev.cog(f"{ROOM}/{name}"))[0])
-        ranks.append(int(smithdev.level.strings[held.value[held.value_start[row] + 1]]))
-    assert ranks == [0, 8]
-    assert "EnableIRMode(0.3 + 0.05 * rank, 1)" in packed("cog/sd_seeing.cog").decode("ascii")
-    levels = [0.3 + 0.05 * rank for rank in ranks]
-    assert levels == pytest.approx(GOLDEN["ir_mode"]["first_parameter_range"])
+    """Fully lit in the document; by the decompiled engine at the first argument, which runs from 0.3 to 0.7 by rank.
+
+    `sd_seeing.cog` in play, placed for rank 0 and for rank 8; its second press ends it.
+    """
+    play, levels = Play(smithdev, f"{ROOM}/door"), []
+    for switch, rank in (("switch 3", 0), ("switch 4", 8)):
+        play.press(switch)
+        assert play.infrared is not None
+        assert play.infrared == pytest.approx(arguments(GOLDEN["ir_mode"]["force_seeing.cog"], rank)[0], rel=1e-6)
+        levels.append(play.infrared)
+        play.press(switch)
+        assert play.infrared is None
+    assert levels == pytest.approx(GOLDEN["ir_mode"]["first_parameter_range"], rel=1e-6)
+    assert levels[0] == pytest.approx(GOLDEN["ir_mode"]["item_irgoggles.cog"][0], rel=1e-6)
     extra = smithdev.level.surface_extra_light
     assert (infrared.surface_light(levels[0], extra, Engine.RESEARCH) == 1).all()
     for level in levels:
