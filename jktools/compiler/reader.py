@@ -22,14 +22,16 @@ from jktools.compiler.checksum import is_intact
 from jktools.compiler.columns import OMISSION, SECTIONS, STRINGS, TEXT, Column, camel_case
 from jktools.compiler.errors import CompiledFileError
 from jktools.compiler.held import HeldTemplate, templates_of
+from jktools.compiler.inheritance import inherited
 from jktools.compiler.leaving import Point
 from jktools.compiler.packing import INDICES, VECTORS, Stored, absent
 from jktools.compiler.queries import plan_of
 from jktools.compiler.slots import wanted
+from jktools.compiler.text import decoded
 from jktools.compiler.walking import Basin, Leave, Ledge, ThingFace, Walking
 from jktools.geometry import Plan, SectorMesh, expanded, unpacked
 
-FORMAT_MAJOR, FORMAT_MINOR = 1, 2
+FORMAT_MAJOR, FORMAT_MINOR = 1, 3
 """Version of the format that this code writes; it reads every file of the same major version."""
 
 IDENTIFIER = b"JKLB"
@@ -118,7 +120,9 @@ class Section:
         if name not in self._made:
             if name in self.stored:
                 self._made[name] = self.stored[name].array(self._layout.declared[name])
-            elif name in LISTED and "value_list" in self.stored:
+            elif name in INHERITED and "own_key" in self.stored:
+                self._made |= inherited(self)
+            elif name in LISTED and "list_number" in self.stored:
                 self._made |= _listed(self)
             else:
                 raise AttributeError(name)
@@ -144,6 +148,8 @@ class Section:
         return sum(parts.values())
 
 
+INHERITED = ("value_start", "value_key", "value_text", "value_source", "value_list")
+"""All values of each template: what 1.1 and 1.2 have in the file, and later files by what templates rest on."""
 LISTED = ("number_start", "number")
 """The numbers of each value of a template one after the other: what 1.1 has in the file, and later files as lists."""
 
@@ -239,7 +245,14 @@ class CompiledLevel:
         if self._has_strings:
             return tuple(self._text(self._root.Strings(i)) for i in range(self._root.StringsLength()))
         octets, start = self._texts.text.tobytes(), self._texts.text_start.tolist()
-        return tuple(self._text(octets[a : b - 1]) for a, b in pairwise(start))
+        if not self._is_coded:
+            return tuple(self._text(octets[a : b - 1]) for a, b in pairwise(start))
+        symbols = self._texts.symbols.tobytes().split(b"\0")[:-1]
+        return tuple(self._text(decoded(octets[a:b], symbols)) for a, b in pairwise(start))
+
+    @property
+    def _is_coded(self) -> bool:
+        return len(self._texts.stored.get("symbols", ())) > 0
 
     @cached_property
     def visible_sectors(self) -> npt.NDArray[np.bool_] | None:
@@ -294,7 +307,8 @@ class CompiledLevel:
     ) -> list[Ledge]:
         """The same beyond an edge of a face of a thing (source index) where it is placed (-1) or at one of its frames.
 
-        A frame at which it is as it is placed counts as that. The face is that of its model at rest.
+        A frame at which it is as it is placed counts as that. The face is that of its model at rest. An edge without a
+        ledge goes on level, or over or against the thing's own faces.
         """
         return self._walking.at(body, (thing, frame, face, corner), place)
 
@@ -322,7 +336,7 @@ class CompiledLevel:
 
     @cached_property
     def _templates_by_name(self) -> dict[str, HeldTemplate]:
-        if self.templates is None or "value_start" not in self.templates.stored:
+        if self.templates is None or not hasattr(self.templates, "value_start"):
             return {}
         found: dict[str, HeldTemplate] = {}
         for held in templates_of(self.templates, self.strings):
@@ -348,7 +362,8 @@ class CompiledLevel:
     @property
     def vertex_step(self) -> float:
         """Of the grid that the vertices are on, JKU; 0 where they are float32 as read."""
-        return self.geometry.stored["vertices"].step
+        recorded = float(self._root.Settings().VertexStep())
+        return recorded or self.geometry.stored["vertices"].step
 
     @property
     def text_bytes(self) -> int:
@@ -443,6 +458,11 @@ class CompiledLevel:
     def cut_anyway(self) -> bool:
         """Whether it leaves out templates and names that nothing is known to reach."""
         return bool(self._root.Settings().CutAnyway())
+
+    @property
+    def plain(self) -> bool:
+        """Whether every column was to be its plain vector; no file before 1.3 is so."""
+        return bool(self._root.Settings().Plain())
 
     @property
     def only(self) -> list[str]:
@@ -560,6 +580,8 @@ def open_compiled(path: str | Path, verify: bool = False) -> CompiledLevel:
 
     Always checks that no offset and no index leads out of the file; `verify` compares the checksum too.
     """
+    if not str(path):
+        raise CompiledFileError("cannot read an empty path")
     try:
         data = memoryview(mapping(path))
     except ValueError as error:

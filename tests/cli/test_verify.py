@@ -218,7 +218,9 @@ def test_a_file_of_an_older_format_is_verified_by_what_both_have(here: Path) -> 
 
 
 def test_settings_are_recorded() -> None:
-    settings = CompileSettings("openjkdf2", "exact", frozenset({"things"}), frozenset({"ledges"}), cut_anyway=True)
+    settings = CompileSettings(
+        "openjkdf2", "exact", frozenset({"things"}), frozenset({"ledges"}), cut_anyway=True, plain=True
+    )
     level = CompiledLevel(compile_level(level_of(TWO_ROOMS), settings))
-    assert (level.only, level.skip, level.cut_anyway) == (["things"], ["ledges"], True)
+    assert (level.only, level.skip, level.cut_anyway, level.plain) == (["things"], ["ledges"], True, True)
     assert level.settings == {"game": "jk", "engine": "openjkdf2", "accuracy": "exact"}
