@@ -31,6 +31,10 @@ _PASS = click.Choice(CHOICES)
     "--cut-anyway", is_flag=True,
     help="Leave out templates that nothing is known to reach, though not all COGs are at hand to tell.",
 )  # fmt: skip
+@click.option(
+    "--plain", is_flag=True,
+    help="Write every column as a plain vector, for engines that read no packed ones; the files get larger.",
+)  # fmt: skip
 @click.option("--only", multiple=True, type=_PASS, metavar="PASS", help="Run this pass and those that it needs.")
 @click.option("--skip", multiple=True, type=_PASS, metavar="PASS", help="Do not run this pass.")
 @click.option("--keep-going", is_flag=True, help="Leave out the section of a pass that fails, and compile the rest.")
@@ -53,6 +57,7 @@ def command(
     paths: tuple[str, ...],
     out: Path,
     cut_anyway: bool,
+    plain: bool,
     only: tuple[str, ...],
     skip: tuple[str, ...],
     keep_going: bool,
@@ -89,6 +94,7 @@ def command(
             skip=frozenset(skip),
             keep_going=keep_going,
             cut_anyway=cut_anyway,
+            plain=plain,
         )
         built = build_all(paths, out, settings, report, compiling, jobs)
     if not quiet:

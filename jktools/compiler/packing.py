@@ -29,6 +29,8 @@ INDICES: Mapping[str, str] = {"index8": "u1", "index16": "u2"}
 _NARROW = ("u1", "i1", "u2", "i2", "u4", "i4")
 _TABLE = 24
 """Bytes that a packed column costs beside its vectors, about: its table, the offset to it and its share of vtables."""
+_STEP = 48
+"""What a step costs beside: its double, and a vtable that only columns with a step share."""
 _VECTOR = 8
 """Bytes that a vector costs beside its numbers: its length, and about as much to the next multiple of 8."""
 _WORTH = 0.75
@@ -97,6 +99,8 @@ class Stored:
     def cost(self, column: Column) -> int:
         """Bytes in the file, about."""
         table = 0 if self.is_plain(column) else _TABLE
+        if self.step:
+            table += _STEP + (_VECTOR + 4 * len(self.origin) if self.origin else 0)
         return table + sum(part.nbytes + _VECTOR for part in self.vectors)
 
 
@@ -111,6 +115,11 @@ def _default(kind: str, width: int, or_none: bool) -> Array:
     values = np.full((1, width) if width > 1 else 1, -1 if or_none else 0, f"<{kind}")
     values.flags.writeable = False
     return values
+
+
+def plain_array(values: Array | Stored, column: Column) -> Array:
+    """The rows of a column in its declared type."""
+    return values.array(column) if isinstance(values, Stored) else _shaped(values, column)
 
 
 def pack(values: Array, column: Column) -> Stored | None:

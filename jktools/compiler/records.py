@@ -148,7 +148,7 @@ def _templates(level: CompiledLevel, section: Section) -> Records:
     names, source = _texts(level, section.name), section.source.tolist()
     owner = dict(zip(source, names, strict=True))
     fields = {"parent": Field(_texts(level, section.parent))}
-    if "value_start" in section.stored:
+    if hasattr(section, "value_start"):
         numbers = _parts(section.number_start, section.number.tolist())
         values = [
             (key, text or numbers[i], owner.get(setter, setter))
@@ -344,7 +344,7 @@ def _of_templates(level: CompiledLevel, section: Section, name: str, translate: 
     if "material" in section.stored:
         fields["material"] = Field(_texts(level, section.material))
     return Records(
-        name, "cloud" if name == "particles" else "mover", template, [names.get(each, "") for each in template],
+        name, "cloud" if name == "particles" else "motion", template, [names.get(each, "") for each in template],
         [translate("template", each) for each in template], fields, by_identity=True,
     )  # fmt: skip
 

@@ -17,11 +17,12 @@ from jktools.compiler.columns import OMISSION, SECTIONS, TEXT, Column, camel_cas
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
 from jktools.compiler.grid import grid_of, on_grid
-from jktools.compiler.packing import VECTORS, Stored, pack, pack_group
+from jktools.compiler.packing import VECTORS, Stored, pack, pack_group, plain_array
 from jktools.compiler.passes import Outcome, Progress, run
 from jktools.compiler.reader import ALIGNMENT, FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
 from jktools.compiler.sections import Columns, Strings, parameter_keys
 from jktools.compiler.settings import CompileSettings
+from jktools.compiler.text import coded, symbols_of
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.model import Level
@@ -58,12 +59,16 @@ def compilation(
 ) -> Compilation:
     """Compile a level. `progress` is told the name of each pass before it runs, and `WRITING` behind the last.
 
+    With `facts`, what they have worked out is not worked out again; the file then lists all that was ever looked for.
     Raises CompileError when the engine would refuse it or read beyond its lists, PassError when a pass fails and the
     settings do not say to keep going.
     """
     settings = settings or CompileSettings()
     _refuse_broken(level)
-    facts = facts or LevelFacts(level)
+    if facts is None:
+        # What was looked for before is no matter of this file.
+        level = level.anew()
+        facts = LevelFacts(level)
     if settings.accuracy == "fast":
         level = on_grid(level)
         facts = LevelFacts(level, facts.vocabulary)
@@ -96,7 +101,9 @@ def _refuse_broken(level: Level) -> None:
 
 
 def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcomes: Mapping[str, Outcome]) -> bytes:
-    file = _File()
+    grid = grid_of(level)
+    step = grid.step if grid else 0.0
+    file = _File(plain=settings.plain)
     builder = file.builder
     offsets: dict[str, int] = {}
     for name, outcome in outcomes.items():
@@ -111,7 +118,8 @@ def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcome
     offsets["settings"] = _table(
         builder, "Settings",
         game=builder.CreateString(level.game), engine=builder.CreateString(settings.engine),
-        accuracy=builder.CreateString(settings.accuracy), cut_anyway=settings.cut_anyway,
+        accuracy=builder.CreateString(settings.accuracy), cut_anyway=settings.cut_anyway, plain=settings.plain,
+        vertex_step=step,
         **{
             name: _strings(builder, sorted(passes))
             for name, passes in (("only", settings.only), ("skip", settings.skip))
@@ -129,7 +137,9 @@ def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcome
 class _File:
     """A file being written: vectors of the same bytes are written once."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, plain: bool) -> None:
+        self.plain = plain
+        """Whether every column is its plain vector."""
         self.builder = flatbuffers.Builder(FIRST_GUESS)
         self._written: dict[tuple[int, bytes], int] = {}
 
@@ -147,7 +157,13 @@ class _File:
         return offset
 
     def columns(self, values: Columns, columns: Mapping[str, Column]) -> dict[str, int]:
-        """Write columns in their smallest forms: the offset of each by its field."""
+        """Write columns in their smallest forms, or as plain vectors: the offset of each by its field."""
+        if self.plain:
+            return {
+                name: self.vector(plain_array(values[name], column))
+                for name, column in columns.items()
+                if column.until is None
+            }
         stored: dict[str, Stored | None] = {}
         for name, column in columns.items():
             if column.until is not None or name in stored:
@@ -202,14 +218,19 @@ def _strings(builder: flatbuffers.Builder, texts: Sequence[str]) -> int:
 
 
 def _text(file: _File, texts: Sequence[str]) -> dict[str, int]:
-    """Every string with a zero byte behind it, one after the other."""
-    octets = [text.encode() + b"\0" for text in texts]
+    """Every string, one after the other: by symbols, or as it is with a zero byte behind it."""
+    octets = [text.encode() for text in texts]
+    symbols = [] if file.plain else symbols_of(octets)
+    octets = coded(octets, symbols) if symbols else [each + b"\0" for each in octets]
     start = np.concatenate([[0], np.cumsum([len(each) for each in octets], dtype=np.int64)])
-    return {
+    fields = {
         "strings": _offsets(file.builder, []),
         "text": file.vector(np.frombuffer(b"".join(octets), np.uint8)),
         **file.columns({"text_start": start}, {"text_start": TEXT["text_start"]}),
     }
+    if symbols:
+        fields["symbols"] = file.vector(np.frombuffer(b"".join(each + b"\0" for each in symbols), np.uint8))
+    return fields
 
 
 def _inputs(file: _File, level: Level) -> int:
@@ -238,6 +259,8 @@ def _passes(builder: flatbuffers.Builder, outcomes: Mapping[str, Outcome]) -> in
     passes = []
     for name, outcome in outcomes.items():
         fields: dict[str, int] = {"name": builder.CreateString(name), "ran": outcome.columns is not None}
+        if outcome.failed:
+            fields["failed"] = True
         if outcome.note:
             fields["note"] = builder.CreateString(outcome.note)
         passes.append(_table(builder, "Pass", **fields))

@@ -8,8 +8,9 @@ import numpy as np
 
 from jktools.diagnostics import Diagnostic
 from jktools.model.objects import Cog, Template, Thing
+from jktools.model.resolved import Resolved
 from jktools.model.resources import Resources
-from jktools.model.templates import Resolved, TemplateSet
+from jktools.model.templates import TemplateSet
 from jktools.model.views import Adjoin, Records, Sector, Surface
 from jktools.source import InputError, Source, Span
 from jktools.syntax.jkl import Document, Header, read
@@ -39,6 +40,10 @@ class Level:
         self.resources = resources or Resources()
         self.kept: dict[type, object] = {}
         """What higher layers keep with the level, one of a type; no part of it."""
+
+    def anew(self) -> Level:
+        """The same level, of which nothing is worked out and no file looked for yet."""
+        return Level(self.document, self.resources.anew())
 
     def __repr__(self) -> str:
         return (

@@ -49,5 +49,6 @@ def settings_of(level: CompiledLevel) -> CompileSettings:
         told = ", ".join(f"{key} {value}" for key, value in recorded.items())
         raise CompiledFileError(f"cannot compile again as {level.path} was, for {told}: use the jktools that wrote it")
     return CompileSettings(
-        recorded["engine"], accuracy, frozenset(level.only), frozenset(level.skip), cut_anyway=level.cut_anyway
-    )
+        recorded["engine"], accuracy, frozenset(level.only), frozenset(level.skip), cut_anyway=level.cut_anyway,
+        plain=level.plain,
+    )  # fmt: skip

@@ -106,18 +106,23 @@ def load(path: str, base: Sequence[str] = (), game: Game | None = None) -> Level
 
 
 def build(
-    level: Level, accuracy: Accuracy = "balanced", engine: str = "research", *, cut_anyway: bool = False
+    level: Level,
+    accuracy: Accuracy = "balanced",
+    engine: str = "research",
+    *,
+    cut_anyway: bool = False,
+    plain: bool = False,
 ) -> bytes:
     """Compile a level, as `jktools build` does, and give the bytes of the file.
 
     `accuracy` is `fast`, `balanced` or `exact`: that of what is computed; `fast` also moves vertices onto a grid
     (docs/format.md tells how far). `cut_anyway` leaves out templates that nothing is known to reach, though COGs are
-    missing that might tell otherwise. Raises CompileError for a level that the engine would refuse, ValueError for
-    another accuracy.
+    missing that might tell otherwise. `plain` writes nothing but plain vectors, which take more bytes. Raises
+    CompileError for a level that the engine would refuse, ValueError for another accuracy.
     """
     if accuracy not in ACCURACIES:
         raise ValueError(f"accuracy is {accuracy!r}, but can be {', '.join(ACCURACIES)}")
-    return compile_level(level, CompileSettings(engine, accuracy, cut_anyway=cut_anyway))
+    return compile_level(level, CompileSettings(engine, accuracy, cut_anyway=cut_anyway, plain=plain))
 
 
 def mesh(level: Level) -> SectorMesh:

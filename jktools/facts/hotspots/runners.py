@@ -9,13 +9,14 @@ from dataclasses import dataclass, field, replace
 from jktools.facts.cog.analysis import Analysis
 from jktools.facts.cog.dataflow import default_value
 from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.cog.stack import written
 from jktools.facts.hotspots.traces import leaves
 from jktools.facts.reachability import ITEMS, OF_STATIC, STATIC, Reach
 from jktools.facts.script import ScriptFacts
 from jktools.model import Cog, Level, Thing
 from jktools.model.cog.verbs import all_verbs
+from jktools.model.resolved import Resolved
 from jktools.model.resources import Kind, Resources
-from jktools.model.templates import Resolved
 from jktools.source import InputError
 from jktools.syntax.assets.small import Items
 
@@ -154,7 +155,7 @@ def _captured(analysis: Analysis) -> tuple[set[int], bool]:
         if number is not None:
             found.add(int(number))
             continue
-        given = site.call.arguments[0] if site.call.arguments else None
+        given = written(analysis.program, site.call)[0]
         for leaf in [None] if given is None else leaves(analysis, given, starts=True):
             if isinstance(leaf, int):
                 found.add(leaf)
