@@ -1,4 +1,4 @@
-"""Maps a file into memory."""
+"""Compiled levels as files: how they are known, and mapped into memory."""
 
 from __future__ import annotations
 
@@ -7,6 +7,22 @@ import mmap
 import os
 import stat
 from pathlib import Path
+
+SUFFIX = ".jklb"
+IDENTIFIER = b"JKLB"
+"""Bytes 4 to 7 of the file."""
+
+
+def is_compiled(path: str | Path) -> bool:
+    """Whether a path names a compiled level: by its ending, or by the mark in its first bytes."""
+    file = Path(path)
+    if file.suffix.lower() == SUFFIX:
+        return True
+    try:
+        with file.open("rb") as stream:
+            return stream.read(8)[4:] == IDENTIFIER
+    except OSError:
+        return False
 
 
 def mapping(path: str | Path) -> mmap.mmap:

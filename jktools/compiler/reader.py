@@ -31,7 +31,6 @@ from jktools.geometry import Plan, SectorMesh, expanded, unpacked
 FORMAT_MAJOR, FORMAT_MINOR = 1, 3
 """Version of the format that this code writes; it reads every file of the same major version."""
 
-IDENTIFIER = b"JKLB"
 ALIGNMENT = 8
 """Bytes; a buffer and every vector in it start at a multiple."""
 
