@@ -11,7 +11,7 @@ from jktools.emit import template as template_format
 from jktools.emit.printable import printable
 from jktools.linter.spelling import did_you_mean
 from jktools.model import Level
-from jktools.model.templates import Resolved
+from jktools.model.resolved import Resolved
 from jktools.session import load
 from jktools.session.settings import Game
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import functools
-import importlib.util
 import shutil
 import sys
 from pathlib import Path
 
 import click
 
-from jktools.cli.app import base_option, note, problem
+from jktools.cli.app import Number, base_option, need_matplotlib, note, problem
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
 from jktools.compiler import CHOICES, CompileError, CompileSettings, compile_level
@@ -60,7 +59,7 @@ class Several(click.ParamType[tuple[str, ...]]):
     "--seed", type=click.IntRange(min=0), default=1997, show_default=True, metavar="N", help="Of the queries."
 )
 @click.option(
-    "--time-limit", type=click.FloatRange(0, min_open=True), default=60.0, show_default=True, metavar="SECONDS",
+    "--time-limit", type=Number(0, min_open=True), default=60.0, show_default=True, metavar="SECONDS",
     help="What takes longer to make ready, or to answer once, is not measured.",
 )  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="The same as JSON (docs/tradeoff.schema.json).")
@@ -134,6 +133,5 @@ def _suffix(output: Path) -> str:
         raise click.BadParameter(
             f"there is no folder {output.parent} to write {output.name} into", param_hint="--output"
         )
-    if importlib.util.find_spec("matplotlib") is None:
-        raise click.UsageError("--output needs matplotlib: pip install 'jktools[plot]'")
+    need_matplotlib()
     return suffix

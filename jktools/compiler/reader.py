@@ -176,7 +176,8 @@ class CompiledLevel(Header):
     ) -> list[Ledge]:
         """The same beyond an edge of a face of a thing (source index) where it is placed (-1) or at one of its frames.
 
-        A frame at which it is as it is placed counts as that. The face is that of its model at rest.
+        A frame at which it is as it is placed counts as that. The face is that of its model at rest. An edge without a
+        ledge goes on level, or over or against the thing's own faces.
         """
         return self._walking.at(body, (thing, frame, face, corner), place)
 
@@ -310,6 +311,8 @@ def open_compiled(path: str | Path, verify: bool = False) -> CompiledLevel:
 
     Always checks that no offset and no index leads out of the file; `verify` compares the checksum too.
     """
+    if not str(path):
+        raise CompiledFileError("cannot read an empty path")
     try:
         data = memoryview(mapping(path))
     except ValueError as error:

@@ -25,8 +25,8 @@ import numpy as np
 
 from jktools.facts.lights import may_shine
 from jktools.model import Level
+from jktools.model.resolved import Resolved
 from jktools.model.resources import Kind
-from jktools.model.templates import Resolved
 from jktools.syntax.assets.material import Material
 
 Point = tuple[float, float, float]

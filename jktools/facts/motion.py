@@ -26,7 +26,7 @@ from jktools.engine.profile import Engine
 from jktools.engine.simulation import SCHEME_OF
 from jktools.engine.thrust import Keys, Support, actor_acceleration, capped, player_thrust, thrust_acceleration
 from jktools.model import Level
-from jktools.model.templates import Resolved
+from jktools.model.resolved import Resolved
 
 BODIES = ("actor", "player")
 FPS = 50.0

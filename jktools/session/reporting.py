@@ -18,9 +18,10 @@ from jktools.linter import Rule, Selection, lint, select
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
 from jktools.model.resources import Library
-from jktools.session.batch import Progress, members_of, silent
 from jktools.session.ignores import with_settings
 from jktools.session.levels import LEVEL_EXTENSION, read_level
+from jktools.session.members import members_of
+from jktools.session.progress import Progress, silent
 from jktools.session.scripts import bound_scripts
 from jktools.session.settings import Settings
 from jktools.session.targets import targets

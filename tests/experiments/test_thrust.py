@@ -40,6 +40,14 @@ def test_text_1_walking(trace: Run, way: str, engine: str) -> None:
 
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("way", WAYS)
+def test_text_1_factors_of_maxthrust(trace: Run, way: str, engine: str) -> None:
+    """'Template property maxthrust is used to determine baseline forward walk speed': the factors, at another one."""
+    walk = trace(f"0 walk {WAYS[way]}\n0.1 end", WELL, "--set", "maxthrust=0.8", "--engine", engine)
+    assert walk.thrust[-1] == exactly(axis_of(way, 0.8 * RULES[way]["factor"]))
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("way", WAYS)
 def test_text_1_running_and_crouching(trace: Run, way: str, engine: str) -> None:
     """A run doubles, crouching halves and hides the run."""
     script = f"0 run {WAYS[way]}\n0.5 crouch\n1 end"
