@@ -368,12 +368,21 @@ private:
         }
     }
 
-    // Where a straight line along the edge passes a triangle's plane.
+    // Where a straight line along the edge passes a triangle's plane, in the triangle or as near to it as matters: who
+    // goes past it elsewhere is stopped by others.
     void pierced(const Strides::Triangle& t, const Point& from) {
         double before = 0, change = 0;
         for (std::size_t k = 0; k < 3; ++k)
             before += t.normal[k] * (from[k] - t.corner[k]), change += t.normal[k] * along_[k];
-        if (change != 0) add_break(-before / change);
+        if (change == 0) return;
+        const double at = -before / change;
+        if (!(at > 0 && at < 1)) return;
+        for (std::size_t side = 0; side < 3; ++side) {
+            double inside = -t.side[side];
+            for (std::size_t k = 0; k < 3; ++k) inside += t.inward[side][k] * (from[k] + at * along_[k]);
+            if (inside < -kSlab) return;
+        }
+        add_break(at);
     }
 
     using Extent = std::array<double, 2>;
