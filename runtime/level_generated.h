@@ -72,6 +72,9 @@ struct LedgesBuilder;
 struct Basins;
 struct BasinsBuilder;
 
+struct Models;
+struct ModelsBuilder;
+
 struct Level;
 struct LevelBuilder;
 
@@ -3879,7 +3882,8 @@ struct Hotspots FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_PAIRS_PACKED = 52,
     VT_VERDICT_PACKED = 54
   };
-  /// The placed COG, by its position in the section; -1 for a class COG, which things carry.
+  /// The placed COG, by its position in the section; -1 for a class COG, which things carry or may come to, and for one
+  /// of the game's own scripts (of static.jkl or items.dat), which no level places.
   const ::flatbuffers::Vector<int32_t> *cog() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_COG);
   }
@@ -6652,6 +6656,161 @@ inline ::flatbuffers::Offset<Basins> CreateBasinsDirect(
       left_packed);
 }
 
+/// The models of the templates that are kept, as far as their files are at hand. Since 1.3.
+struct Models FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef ModelsBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_NAME = 4,
+    VT_INSERT_OFFSET = 6,
+    VT_RADIUS = 8,
+    VT_KNOWN = 10,
+    VT_NAME_PACKED = 12,
+    VT_INSERT_OFFSET_PACKED = 14,
+    VT_RADIUS_PACKED = 16,
+    VT_KNOWN_PACKED = 18
+  };
+  /// The 3DO file, in lower case.
+  const ::flatbuffers::Vector<uint32_t> *name() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_NAME);
+  }
+  /// x y z, JKU: where its origin lies from the place of its thing. A body hovers over floors by its z.
+  const ::flatbuffers::Vector<float> *insert_offset() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_INSERT_OFFSET);
+  }
+  /// As written, JKU; NaN where the file is not at hand.
+  const ::flatbuffers::Vector<float> *radius() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_RADIUS);
+  }
+  /// 1 for the insert offset of a model of the game's own that jktools knows, whose file was not at hand; else 0.
+  const ::flatbuffers::Vector<uint8_t> *known() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_KNOWN);
+  }
+  /// `name`, packed.
+  const jktools::Packed *name_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_NAME_PACKED);
+  }
+  /// `insert_offset`, packed.
+  const jktools::Packed *insert_offset_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_INSERT_OFFSET_PACKED);
+  }
+  /// `radius`, packed.
+  const jktools::Packed *radius_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_RADIUS_PACKED);
+  }
+  /// `known`, packed.
+  const jktools::Packed *known_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_KNOWN_PACKED);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_NAME) &&
+           verifier.VerifyVector(name()) &&
+           VerifyOffset(verifier, VT_INSERT_OFFSET) &&
+           verifier.VerifyVector(insert_offset()) &&
+           VerifyOffset(verifier, VT_RADIUS) &&
+           verifier.VerifyVector(radius()) &&
+           VerifyOffset(verifier, VT_KNOWN) &&
+           verifier.VerifyVector(known()) &&
+           VerifyOffset(verifier, VT_NAME_PACKED) &&
+           verifier.VerifyTable(name_packed()) &&
+           VerifyOffset(verifier, VT_INSERT_OFFSET_PACKED) &&
+           verifier.VerifyTable(insert_offset_packed()) &&
+           VerifyOffset(verifier, VT_RADIUS_PACKED) &&
+           verifier.VerifyTable(radius_packed()) &&
+           VerifyOffset(verifier, VT_KNOWN_PACKED) &&
+           verifier.VerifyTable(known_packed()) &&
+           verifier.EndTable();
+  }
+};
+
+struct ModelsBuilder {
+  typedef Models Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_name(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> name) {
+    fbb_.AddOffset(Models::VT_NAME, name);
+  }
+  void add_insert_offset(::flatbuffers::Offset<::flatbuffers::Vector<float>> insert_offset) {
+    fbb_.AddOffset(Models::VT_INSERT_OFFSET, insert_offset);
+  }
+  void add_radius(::flatbuffers::Offset<::flatbuffers::Vector<float>> radius) {
+    fbb_.AddOffset(Models::VT_RADIUS, radius);
+  }
+  void add_known(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> known) {
+    fbb_.AddOffset(Models::VT_KNOWN, known);
+  }
+  void add_name_packed(::flatbuffers::Offset<jktools::Packed> name_packed) {
+    fbb_.AddOffset(Models::VT_NAME_PACKED, name_packed);
+  }
+  void add_insert_offset_packed(::flatbuffers::Offset<jktools::Packed> insert_offset_packed) {
+    fbb_.AddOffset(Models::VT_INSERT_OFFSET_PACKED, insert_offset_packed);
+  }
+  void add_radius_packed(::flatbuffers::Offset<jktools::Packed> radius_packed) {
+    fbb_.AddOffset(Models::VT_RADIUS_PACKED, radius_packed);
+  }
+  void add_known_packed(::flatbuffers::Offset<jktools::Packed> known_packed) {
+    fbb_.AddOffset(Models::VT_KNOWN_PACKED, known_packed);
+  }
+  explicit ModelsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Models> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Models>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Models> CreateModels(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> name = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> insert_offset = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> radius = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> known = 0,
+    ::flatbuffers::Offset<jktools::Packed> name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> insert_offset_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> radius_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> known_packed = 0) {
+  ModelsBuilder builder_(_fbb);
+  builder_.add_known_packed(known_packed);
+  builder_.add_radius_packed(radius_packed);
+  builder_.add_insert_offset_packed(insert_offset_packed);
+  builder_.add_name_packed(name_packed);
+  builder_.add_known(known);
+  builder_.add_radius(radius);
+  builder_.add_insert_offset(insert_offset);
+  builder_.add_name(name);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Models> CreateModelsDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<uint32_t> *name = nullptr,
+    const std::vector<float> *insert_offset = nullptr,
+    const std::vector<float> *radius = nullptr,
+    const std::vector<uint8_t> *known = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> insert_offset_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> radius_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> known_packed = 0) {
+  auto name__ = name ? _fbb.CreateVector<uint32_t>(*name) : 0;
+  auto insert_offset__ = insert_offset ? _fbb.CreateVector<float>(*insert_offset) : 0;
+  auto radius__ = radius ? _fbb.CreateVector<float>(*radius) : 0;
+  auto known__ = known ? _fbb.CreateVector<uint8_t>(*known) : 0;
+  return jktools::CreateModels(
+      _fbb,
+      name__,
+      insert_offset__,
+      radius__,
+      known__,
+      name_packed,
+      insert_offset_packed,
+      radius_packed,
+      known_packed);
+}
+
 /// The whole file.
 struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef LevelBuilder Builder;
@@ -6682,7 +6841,8 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_TEXT = 50,
     VT_TEXT_START = 52,
     VT_TEXT_START_PACKED = 54,
-    VT_SYMBOLS = 56
+    VT_MODELS = 56,
+    VT_SYMBOLS = 58
   };
   /// Readers refuse a file whose major version they do not know.
   uint16_t format_major() const {
@@ -6789,6 +6949,10 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Packed *text_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TEXT_START_PACKED);
   }
+  /// What bodies hover by.
+  const jktools::Models *models() const {
+    return GetPointer<const jktools::Models *>(VT_MODELS);
+  }
   /// Parts of texts that repeat, at most 127: each of 1 to 255 bytes with a zero byte behind it. Never packed. Since 1.3.
   const ::flatbuffers::Vector<uint8_t> *symbols() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_SYMBOLS);
@@ -6850,6 +7014,8 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(text_start()) &&
            VerifyOffset(verifier, VT_TEXT_START_PACKED) &&
            verifier.VerifyTable(text_start_packed()) &&
+           VerifyOffset(verifier, VT_MODELS) &&
+           verifier.VerifyTable(models()) &&
            VerifyOffset(verifier, VT_SYMBOLS) &&
            verifier.VerifyVector(symbols()) &&
            verifier.EndTable();
@@ -6938,6 +7104,9 @@ struct LevelBuilder {
   void add_text_start_packed(::flatbuffers::Offset<jktools::Packed> text_start_packed) {
     fbb_.AddOffset(Level::VT_TEXT_START_PACKED, text_start_packed);
   }
+  void add_models(::flatbuffers::Offset<jktools::Models> models) {
+    fbb_.AddOffset(Level::VT_MODELS, models);
+  }
   void add_symbols(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> symbols) {
     fbb_.AddOffset(Level::VT_SYMBOLS, symbols);
   }
@@ -6986,9 +7155,11 @@ inline ::flatbuffers::Offset<Level> CreateLevel(
     ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> text = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> text_start = 0,
     ::flatbuffers::Offset<jktools::Packed> text_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Models> models = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> symbols = 0) {
   LevelBuilder builder_(_fbb);
   builder_.add_symbols(symbols);
+  builder_.add_models(models);
   builder_.add_text_start_packed(text_start_packed);
   builder_.add_text_start(text_start);
   builder_.add_text(text);
@@ -7046,6 +7217,7 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
     const std::vector<uint8_t> *text = nullptr,
     const std::vector<uint32_t> *text_start = nullptr,
     ::flatbuffers::Offset<jktools::Packed> text_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Models> models = 0,
     const std::vector<uint8_t> *symbols = nullptr) {
   auto tool_version__ = tool_version ? _fbb.CreateString(tool_version) : 0;
   auto checksum__ = checksum ? _fbb.CreateVector<uint8_t>(*checksum) : 0;
@@ -7084,6 +7256,7 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
       text__,
       text_start__,
       text_start_packed,
+      models,
       symbols__);
 }
 

@@ -21,6 +21,9 @@ def of_findings(diagnostics: Sequence[Diagnostic], fail_on: Severity | None) -> 
     """3 when a rule failed, 1 when a finding is as bad as `fail_on` (None: never), else 0."""
     if any(d.code.is_bug for d in diagnostics):
         return Status.BUG
-    if fail_on is not None and any(d.severity >= fail_on for d in diagnostics):
-        return Status.FINDINGS
-    return Status.CLEAN
+    return Status.FINDINGS if any(fails(d, fail_on) for d in diagnostics) else Status.CLEAN
+
+
+def fails(diagnostic: Diagnostic, fail_on: Severity | None) -> bool:
+    """Whether a finding makes a run fail: it is as bad as `fail_on` (None: never), or a rule that failed."""
+    return diagnostic.code.is_bug or (fail_on is not None and diagnostic.severity >= fail_on)

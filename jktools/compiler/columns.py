@@ -351,6 +351,18 @@ BASINS: Mapping[str, Column] = MappingProxyType(
     }
 )
 
+MODELS: Mapping[str, Column] = MappingProxyType(
+    _rows(
+        "name",
+        {
+            "name": _TEXT,
+            "insert_offset": Column("f4", 3, group="model"),
+            "radius": Column("f4", group="model"),
+            "known": Column("u1", group="model"),
+        },
+    )
+)
+
 _LISTS = (
     "sounds", "materials", "colormaps", "aiclasses", "models", "sprites", "keyframes", "animclasses", "soundclasses",
     "cogscripts",
@@ -373,6 +385,7 @@ SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
         "motion": MOTION,
         "ledges": LEDGES,
         "basins": BASINS,
+        "models": MODELS,
     }
 )
 """The sections of the file in its order, with their columns."""

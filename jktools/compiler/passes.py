@@ -46,6 +46,7 @@ PASSES: Mapping[str, Pass] = {
         Pass("motion", scene.motion, ("templates",)),
         Pass("ledges", walkability.ledges, ("geometry",)),
         Pass("basins", walkability.basins, ("geometry", "ledges")),
+        Pass("models", scene.models, ("templates",)),
     )
 }
 """In the order of the file; a pass comes after those that it needs."""

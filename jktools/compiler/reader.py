@@ -21,12 +21,13 @@ from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import is_intact
 from jktools.compiler.columns import OMISSION, SECTIONS, STRINGS, TEXT, Column, camel_case
 from jktools.compiler.errors import CompiledFileError
+from jktools.compiler.held import HeldTemplate, templates_of
 from jktools.compiler.inheritance import inherited
 from jktools.compiler.packing import INDICES, VECTORS, Stored, absent
 from jktools.compiler.queries import Basin, Ledge, basins_of, ledges_at, plan_of
 from jktools.compiler.slots import wanted
 from jktools.compiler.text import decoded
-from jktools.geometry import SectorMesh, expanded, unpacked
+from jktools.geometry import Plan, SectorMesh, expanded, unpacked
 
 FORMAT_MAJOR, FORMAT_MINOR = 1, 3
 """Version of the format that this code writes; it reads every file of the same major version."""
@@ -184,6 +185,7 @@ class CompiledLevel:
     motion: Section | None
     ledges: Section | None
     basins: Section | None
+    models: Section | None
 
     def __init__(self, data: bytes | memoryview, path: str = "<bytes>", *, verify: bool = False) -> None:
         """Check and view a buffer. Raises CompiledFileError; `verify` compares the checksum too."""
@@ -268,13 +270,18 @@ class CompiledLevel:
         return unpacked(matrix)
 
     @cached_property
+    def plan(self) -> Plan:
+        """The geometry as plain arrays."""
+        return plan_of(self.geometry)
+
+    @cached_property
     def mesh(self) -> SectorMesh:
         """The sectors as a mesh over the file's own vertices: sight, drop and location, without the level's source.
 
         At `balanced` and `exact` the file holds the vertices as read, and its mesh answers as the level's own does; a
         file of `fast` answers about vertices on its grid.
         """
-        return SectorMesh.from_plan(plan_of(self.geometry))
+        return SectorMesh.from_plan(self.plan)
 
     def ledges_at(self, body: int, surface: int, corner: int, place: float | None = None) -> list[Ledge]:
         """What a body meets beyond the edge that goes from a corner of a floor to the next one, along the edge.
@@ -290,6 +297,35 @@ class CompiledLevel:
     def basins_of(self, body: int) -> list[Basin]:
         """Where a body can fall in and every way out goes up; none for a body that the file does not have."""
         return [] if self.basins is None else list(basins_of(self.basins, body))
+
+    def template(self, name: str) -> HeldTemplate | None:
+        """The template of a name, free of case, of those that the file has; the first, as in the engine."""
+        return self._templates_by_name.get(name.lower())
+
+    @cached_property
+    def _templates_by_name(self) -> dict[str, HeldTemplate]:
+        if self.templates is None or not hasattr(self.templates, "value_start"):
+            return {}
+        found: dict[str, HeldTemplate] = {}
+        for held in templates_of(self.templates, self.strings):
+            found.setdefault(held.name.lower(), held)
+        return found
+
+    def insert_offset(self, model: str) -> tuple[float, float, float] | None:
+        """Where a model's origin lies from the place of its thing, x y z in JKU; None for one that the file lacks."""
+        return self._insert_offsets.get(model.lower())
+
+    @cached_property
+    def _insert_offsets(self) -> dict[str, tuple[float, float, float]]:
+        if self.models is None:
+            return {}
+        names = (self.strings[i] for i in self.models.name.tolist())
+        return {name: (x, y, z) for name, (x, y, z) in zip(names, self.models.insert_offset.tolist(), strict=True)}
+
+    def why_absent(self, section: str) -> str:
+        """Why the file does not have a section, as the pass that computes it noted."""
+        state = self.passes.get(section)
+        return (state and state["note"]) or f"jktools {self.tool_version} did not write it"
 
     @property
     def vertex_step(self) -> float:
@@ -390,6 +426,7 @@ class CompiledLevel:
             "bodies": ("ledges", "body_movesize"),
             "ledges": ("ledges", "surface"),
             "basins": ("basins", "body"),
+            "models": ("models", "name"),
         }
         return {
             kind: len(self.sections[section].stored[column]) if section in self.sections else 0

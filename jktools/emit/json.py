@@ -2,38 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import msgspec
 
 from jktools import __version__
 from jktools.diagnostics import Diagnostic, Label, Severity
+from jktools.emit.report import LintReport
 from jktools.source import Container
 
 VERSION = 1
 """Of the shape of this output; grows when a reader would have to change."""
 
 
-def findings(
-    diagnostics: Sequence[Diagnostic], files: int, stats: Sequence[tuple[str, int, int, int, int]] | None = None
-) -> str:
-    """The report of a lint run; its shape is docs/lint.schema.json.
-
-    `stats` has a row a kind of file: its name, then how many are the mod's own, in a base, missing and unused.
-    """
+def findings(report: LintReport) -> str:
+    """The report of a lint run; its shape is docs/lint.schema.json."""
     names = ("kind", "own", "base", "missing", "unused")
-    files_named = {} if stats is None else {"stats": [dict(zip(names, row, strict=True)) for row in stats]}
+    stats = {} if report.stats is None else {"stats": [dict(zip(names, row, strict=True)) for row in report.stats]}
     return dump(
         {
             "version": VERSION,
             "tool": {"name": "jktools", "version": __version__},
             "summary": {
-                "files": files,
-                **{str(s): sum(d.severity is s for d in diagnostics) for s in reversed(Severity)},
+                "files": len(report.files),
+                **{str(s): sum(d.severity is s for d in report.diagnostics) for s in reversed(Severity)},
             },
-            "diagnostics": [diagnostic_object(d) for d in diagnostics],
-            **files_named,
+            "diagnostics": [diagnostic_object(d) for d in report.diagnostics],
+            **stats,
         }
     )
 

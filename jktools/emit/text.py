@@ -8,6 +8,7 @@ import click
 
 from jktools.diagnostics import Diagnostic, Label, Severity
 from jktools.emit.printable import printable
+from jktools.emit.report import LintReport
 from jktools.source import Span
 
 _COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.INFO: "cyan"}
@@ -17,6 +18,13 @@ MOST_COLUMNS = 160
 
 LEAD = 40
 """Columns shown before the place in a line that is cut."""
+
+
+def findings(report: LintReport, *, colour: bool = False) -> str:
+    """The whole report: a block a finding, the table where files were counted, and the line that counts."""
+    blocks = render(report.diagnostics, colour=colour)
+    tables = [] if report.stats is None else [stats(report.stats) + "\n"]
+    return "\n".join([*blocks, *tables, summary(report.diagnostics, len(report.files)) + "\n"])
 
 
 def render(diagnostics: Sequence[Diagnostic], *, colour: bool = False) -> Iterator[str]:

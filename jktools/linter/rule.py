@@ -109,6 +109,12 @@ class Rule:
         return self.docs.partition("\n")[0]
 
     @property
+    def reason(self) -> str:
+        """What the docs say below `## Why it matters`, as one line."""
+        told = re.search(r"^## Why it matters\n((?:(?!## ).*\n?)*)", self.docs, re.MULTILINE)
+        return " ".join(told[1].split()) if told else ""
+
+    @property
     def bad(self) -> list[Example]:
         """Fragments that the rule reports."""
         return list(self._examples("Bad"))

@@ -58,6 +58,7 @@ class _Lint(msgspec.Struct, frozen=True, forbid_unknown_fields=True, rename="keb
     select: list[str] = []
     ignore: list[str] = []
     fail_on: FailOn = "warning"
+    baseline: str = ""
 
 
 class _Ignore(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -94,6 +95,8 @@ class Config:
     settings: Settings = field(default_factory=Settings)
     fail_on: FailOn = "warning"
     path: Path | None = None
+    baseline: Path | None = None
+    """Findings that are known already."""
 
 
 def find_config(typed: str) -> Path | None:
@@ -129,7 +132,8 @@ def load_config(path: Path) -> Config:
         parsed = parsed.get("tool", {}).get("jktools", {})
     try:
         file = msgspec.convert(parsed, _File)
-        return Config(_settings(file, Source(str(path), data)), file.lint.fail_on, path)
+        baseline = path.parent / file.lint.baseline if file.lint.baseline else None
+        return Config(_settings(file, Source(str(path), data)), file.lint.fail_on, path, baseline)
     except (msgspec.ValidationError, UnknownRuleError) as error:
         raise ConfigError(f"cannot use {path}: {error}") from error
 

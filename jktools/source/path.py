@@ -35,7 +35,13 @@ def resolve(typed: str) -> Target:
 
 def on_disk(typed: str) -> Path:
     """The part of a path that is on disk: the longest prefix that exists, or all of it when none does."""
-    return next((Path(outer) for outer, _ in _splits(typed) if outer and _exists(Path(outer))), Path(typed))
+    return Path(split_on_disk(typed)[0])
+
+
+def split_on_disk(typed: str) -> tuple[str, str]:
+    """The part of a path that is on disk, as in `on_disk`, and what follows: nothing, or the separator and names."""
+    outer = next((outer for outer, _ in _splits(typed) if outer and _exists(Path(outer))), typed)
+    return outer, typed[len(outer) :]
 
 
 def _splits(typed: str) -> Iterator[tuple[str, str]]:

@@ -54,15 +54,13 @@ inline bool fit(std::initializer_list<Point> points) {
     return true;
 }
 
-}  // namespace detail
-
-// Six times the volume of a, b, c, p: positive when p lies on the side from which a, b, c turn counter-clockwise.
+// orient3d as doubles have it, sign 0 in doubt.
 //
 // The bound, u = 2^-53: a difference is off by u of itself. Of a product of two such, less another, the rounding of both
 // products and of the difference is 2 u of the sum S of their magnitudes; times the third difference, 3 u of S times it.
 // That the differences themselves were rounded adds 3 u of the same, and each of the two sums u: 8 u of the sum of all
 // S times their third, to first order. 10 u leaves room for the rest and for the rounding of the bound.
-inline Signed orient3d(Point a, Point b, Point c, Point p) {
+inline Signed rough_orient3d(Point a, Point b, Point c, Point p) {
     const double ax = a[0] - p[0], ay = a[1] - p[1], az = a[2] - p[2];
     const double bx = b[0] - p[0], by = b[1] - p[1], bz = b[2] - p[2];
     const double cx = c[0] - p[0], cy = c[1] - p[1], cz = c[2] - p[2];
@@ -70,15 +68,25 @@ inline Signed orient3d(Point a, Point b, Point c, Point p) {
     const double value = (cb - bc) * az + (ac - ca) * bz + (ba - ab) * cz;
     const double sum = (std::abs(bc) + std::abs(cb)) * std::abs(az) + (std::abs(ca) + std::abs(ac)) * std::abs(bz) +
                        (std::abs(ab) + std::abs(ba)) * std::abs(cz);
-    const double error = 10 * detail::kUnit * sum + detail::kUnderflow;
-    if (value > error) return {value, error, 1};
-    if (value < -error) return {value, error, -1};
+    const double error = 10 * kUnit * sum + kUnderflow;
+    return {value, error, (value > error) - (value < -error)};
+}
+
+// The same with its sign, of one that is in doubt.
+inline Signed sure_orient3d(Point a, Point b, Point c, Point p, Signed rough) {
     // Points with a coordinate in common: the usual doubt in levels, which are built on a grid.
-    if ((ax == 0 && bx == 0 && cx == 0) || (ay == 0 && by == 0 && cy == 0) || (az == 0 && bz == 0 && cz == 0))
-        return {0, 0, 0};
-    const int sign = detail::fit({a, b, c, p}) ? detail::volume<Expansion>(a, b, c, p).sign()
-                                               : detail::volume<Dyadic>(a, b, c, p).sign();
-    return {value, error, sign};
+    for (int k = 0; k < 3; ++k)
+        if (a[k] == p[k] && b[k] == p[k] && c[k] == p[k]) return {0, 0, 0};
+    rough.sign = fit({a, b, c, p}) ? volume<Expansion>(a, b, c, p).sign() : volume<Dyadic>(a, b, c, p).sign();
+    return rough;
+}
+
+}  // namespace detail
+
+// Six times the volume of a, b, c, p: positive when p lies on the side from which a, b, c turn counter-clockwise.
+inline Signed orient3d(Point a, Point b, Point c, Point p) {
+    const Signed rough = detail::rough_orient3d(a, b, c, p);
+    return rough.sign ? rough : detail::sure_orient3d(a, b, c, p, rough);
 }
 
 namespace detail {
@@ -124,6 +132,14 @@ struct Way {
 struct Triangle {
     Point a, b, c;
 };
+
+// orient3d of a triangle and a point. Much faster where the corners lie on one line, as fans of surfaces often have it.
+inline Signed side(const Triangle& t, Point p) {
+    const Signed rough = detail::rough_orient3d(t.a, t.b, t.c, p);
+    if (rough.sign) return rough;
+    if (collinear(t.a, t.b, t.c)) return {0, 0, 0};
+    return detail::sure_orient3d(t.a, t.b, t.c, p, rough);
+}
 
 // Where a way meets the plane of a triangle: at t = above / fall, fall > 0 and above >= 0.
 struct Meeting {

@@ -473,6 +473,20 @@ struct Basins {
           left(column<std::uint8_t>(table.left(), table.left_packed(), 1, body.rows())) {}
 };
 
+struct Models {
+    Column<std::uint32_t> name;
+    Column<float> insert_offset;
+    Column<float> radius;
+    Column<std::uint8_t> known;
+
+    Models() = default;
+    Models(const jktools::Models& table, unsigned)
+        : name(column<std::uint32_t>(table.name(), table.name_packed(), 1, 0)),
+          insert_offset(column<float>(table.insert_offset(), table.insert_offset_packed(), 3, name.rows())),
+          radius(column<float>(table.radius(), table.radius_packed(), 1, name.rows())),
+          known(column<std::uint8_t>(table.known(), table.known_packed(), 1, name.rows())) {}
+};
+
 // Absent is what the level did not need; resources and geometry never are.
 struct Sections {
     std::optional<Resources> resources;
@@ -488,6 +502,7 @@ struct Sections {
     std::optional<Motion> motion;
     std::optional<Ledges> ledges;
     std::optional<Basins> basins;
+    std::optional<Models> models;
 
     Sections() = default;
     explicit Sections(const jktools::Level& level) {
@@ -505,6 +520,7 @@ struct Sections {
         if (const auto* table = level.motion()) motion.emplace(*table, minor);
         if (const auto* table = level.ledges()) ledges.emplace(*table, minor);
         if (const auto* table = level.basins()) basins.emplace(*table, minor);
+        if (const auto* table = level.models()) models.emplace(*table, minor);
     }
 };
 
@@ -995,6 +1011,17 @@ inline void check_basins(Checks& check, const Basins& own, const Sections& all) 
     check.rows("basins.left", own.left, own.body.rows());
 }
 
+inline void check_models(Checks& check, const Models& own, std::size_t strings) {
+    check.form("models.name", own.name);
+    check.indices("models.name", own.name, 0, strings, "strings");
+    check.form("models.insert_offset", own.insert_offset);
+    check.rows("models.insert_offset", own.insert_offset, own.name.rows());
+    check.form("models.radius", own.radius);
+    check.rows("models.radius", own.radius, own.name.rows());
+    check.form("models.known", own.known);
+    check.rows("models.known", own.known, own.name.rows());
+}
+
 // The range check of every section. What it leaves without a fault leads nowhere outside its arrays.
 inline void check_sections(Checks& check, const Sections& all, std::size_t strings, unsigned minor) {
     if (all.resources) check_resources(check, *all.resources, strings);
@@ -1010,6 +1037,7 @@ inline void check_sections(Checks& check, const Sections& all, std::size_t strin
     if (all.motion) check_motion(check, *all.motion);
     if (all.ledges) check_ledges(check, *all.ledges, all, strings, minor);
     if (all.basins) check_basins(check, *all.basins, all);
+    if (all.models) check_models(check, *all.models, strings);
 }
 
 }  // namespace jklb

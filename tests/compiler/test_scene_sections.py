@@ -106,6 +106,7 @@ def test_what_the_scene_does_not_call_for_is_absent_and_says_why() -> None:
         "lights": "no thing that stays in place shines",
         "particles": "no template that the level can reach makes particles",
         "colour_effects": "no script at hand makes a colour effect of known colours",
+        "models": "no model of a template is at hand",
     }
 
 

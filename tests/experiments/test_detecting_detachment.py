@@ -2,29 +2,29 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 import pytest
 
-import jktools
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER
+from jktools.engine.flags import SurfaceFlag
 from jktools.engine.ground import Ground
 from jktools.engine.profile import Engine
 from jktools.engine.reattach import walk_down
 from jktools.engine.simulation import History, Phase, simulate
 from jktools.engine.thrust import Keys
 from jktools.facts.ledges import DOWN, Kind
-from jktools.geometry.collision import Collision
-from jktools.trace.in_level import LevelSimulation, start_at
+from jktools.geometry import Plan
+from jktools.geometry.collision import MOVEMENT, Collision
+from jktools.trace.in_level import LevelSimulation
 from jktools.trace.level_ground import LevelGround
+from jktools.trace.stage import Stage, stage_of
 from tests.experiments.conftest import Compile
 from tests.experiments.scripts import calls
 from tests.experiments.smithdev import GOLDEN, HANDLE, Experiment
-from tests.experiments.tracing import LEVEL, Run
-from tests.support.levels import level_of
+from tests.experiments.tracing import Run
 
+FLOOR, SOLID = np.uint32(SurfaceFlag.FLOOR), np.uint32(SurfaceFlag.COLLISION)
 ENGINES = ("research", "openjkdf2")
 
 
@@ -67,42 +67,36 @@ def test_the_lanes_with_thrust(smithdev: Experiment) -> None:
 # ---- "Surface Flags": the plate
 
 
-def toggled(smithdev: Experiment, *, floor: bool = True, shut: bool = True) -> jktools.Level:
-    """The level with the plate as the script's two switches leave it."""
-    level = jktools.load(LEVEL)
-    text = bytes(level.document.source.data).decode("latin-1")
+def toggled(smithdev: Experiment, *, floor: bool = True, shut: bool = True) -> Stage:
+    """The compiled level with the plate as the script's two switches leave it."""
+    stage = stage_of(smithdev.level)
+    surfaces, adjoins = (flags.copy() for flags in (stage.plan.surface_flags, stage.plan.adjoin_flags))
     (plate,) = smithdev.surfaces("floor_flags/room.plate")
     (below,) = smithdev.surfaces("floor_flags/well.plate")
-    adjoins = [int(smithdev.level.geometry.surface_adjoin[surface]) for surface in (plate, below)]
     if not floor:
-        text = _flag(text, "World surfaces", plate, 2, "0x4")
+        surfaces[plate] &= ~FLOOR
     if not shut:
-        text = _flag(text, "World surfaces", plate, 2, "0x0" if not floor else "0x1")
-        text = _flag(text, "World surfaces", below, 2, "0x0")
-        for adjoin in adjoins:
-            text = _flag(text, "World adjoins", adjoin, 0, "0x7")
-    return level_of(text)
+        surfaces[[plate, below]] &= ~SOLID
+        adjoins[stage.plan.surface_adjoin[[plate, below]]] |= MOVEMENT
+    return Toggled(stage.plan._replace(surface_flags=surfaces, adjoin_flags=adjoins), stage)
 
 
-def _flag(text: str, heading: str, number: int, place: int, value: str) -> str:
-    """A record of a table with another word at a place behind its label and, for a surface, its material."""
-    before, start, rest = text.partition(heading)
-    words = r"\S+\s+" * (1 if place else 0)
-    changed, count = re.subn(rf"(?m)^({number}:\s*{words})(0x[0-9a-f]+)", rf"\g<1>{value}", rest, count=1)
-    assert count == 1
-    return before + start + changed
+class Toggled:
+    """A stage with another geometry."""
+
+    def __init__(self, plan: Plan, stage: Stage) -> None:
+        self.plan, self.gravity = plan, stage.gravity
+        self.placed, self.held, self.insert_z = stage.placed, stage.held, stage.insert_z
 
 
-def ground(level: jktools.Level, start: LevelSimulation) -> Ground:
-    return LevelGround(Collision(level), start.level_ground.place, start.level_ground.sector)
+def ground(stage: Stage, body: LevelSimulation) -> Ground:
+    return LevelGround(Collision(stage.plan), body.level_ground.place, body.level_ground.sector)
 
 
-def stands_then_walks(
-    smithdev: Experiment, first: jktools.Level, then: jktools.Level, engine: Engine, body: LevelSimulation | None = None
-) -> History:
+def stands_then_walks(first: Stage, then: Stage, engine: Engine) -> History:
     """On the plate: a second as it is, a second after the switch without a key, then a step."""
-    thing = HANDLE["floor_flags"]["things"]["on the plate"]
-    body = LevelSimulation(first, start_at(first, str(thing)), WALKPLAYER, engine)
+    start = first.placed(HANDLE["floor_flags"]["things"]["on the plate"])
+    body = LevelSimulation(first, start, WALKPLAYER, engine)
     body.rest_on_ground()
     phases = [Phase(0), Phase(1, Keys(), ground(then, body)), Phase(2, Keys(forward=1))]
     return simulate(body, phases, 2.6, 0.02)
@@ -111,7 +105,7 @@ def stands_then_walks(
 @pytest.mark.parametrize("engine", Engine)
 def test_a_stationary_player_does_not_notice_that_his_floor_is_none(smithdev: Experiment, engine: Engine) -> None:
     assert GOLDEN["reattach"]["only_while_moving"] is True
-    walk = stands_then_walks(smithdev, toggled(smithdev), toggled(smithdev, floor=False), engine)
+    walk = stands_then_walks(toggled(smithdev), toggled(smithdev, floor=False), engine)
     assert walk.attached[:101].all() and not walk.attached[101:].any()
     assert (walk.position[:101, 2] == walk.position[0, 2]).all()
     assert [(round(i.time, 2), i.event) for i in walk.incidents] == [(2.02, Event.DETACHES)]
@@ -120,7 +114,7 @@ def test_a_stationary_player_does_not_notice_that_his_floor_is_none(smithdev: Ex
 
 @pytest.mark.parametrize("engine", Engine)
 def test_a_stationary_player_does_not_notice_that_he_stands_on_a_floor(smithdev: Experiment, engine: Engine) -> None:
-    walk = stands_then_walks(smithdev, toggled(smithdev, floor=False), toggled(smithdev), engine)
+    walk = stands_then_walks(toggled(smithdev, floor=False), toggled(smithdev), engine)
     assert not walk.attached[:101].any()
     assert walk.position[100, 2] == pytest.approx(GOLDEN["walkplayer"]["movesize"], abs=1e-6)
     assert [(round(i.time, 2), i.event) for i in walk.incidents] == [(2.02, Event.ATTACHES)]
@@ -130,7 +124,7 @@ def test_a_stationary_player_does_not_notice_that_he_stands_on_a_floor(smithdev:
 @pytest.mark.parametrize("engine", Engine)
 def test_a_stationary_player_does_not_notice_that_his_floor_is_gone(smithdev: Experiment, engine: Engine) -> None:
     """'This, too, resulted in nothing happening until the player attempted to move.'"""
-    walk = stands_then_walks(smithdev, toggled(smithdev), toggled(smithdev, shut=False), engine)
+    walk = stands_then_walks(toggled(smithdev), toggled(smithdev, shut=False), engine)
     assert walk.attached[:101].all()
     assert (walk.position[:101, 2] == walk.position[0, 2]).all()
     assert [(round(i.time, 2), i.event) for i in walk.incidents[:1]] == [(2.02, Event.DETACHES)]

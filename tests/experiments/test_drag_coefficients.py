@@ -11,7 +11,7 @@ from jktools.cli import main
 from jktools.trace.recording import read
 from tests.experiments.conftest import Compile
 from tests.experiments.smithdev import GOLDEN, HANDLE, Experiment
-from tests.experiments.tracing import LEVEL, Run
+from tests.experiments.tracing import Run
 
 ENGINES = ("research", "openjkdf2")
 FLOOR, NO_FLOOR = "velocity_hallway/start of floor", "velocity_hallway/start of no floor"
@@ -210,7 +210,7 @@ def test_dynamic_drag_summary(smithdev: Experiment, trace: Run, tmp_path_factory
     (folder / "keys.txt").write_text("0 velocity 0 1 0\n2 end\n")
     log = folder / "log.csv"
     start = str(HANDLE["velocity_hallway"]["things"]["start of floor"])
-    words = ["--level", LEVEL, "--at", start, "--body", name, "-o", str(log)]
+    words = ["--level", str(smithdev.path), "--at", start, "--body", name, "-o", str(log)]
     assert main(["trace", "run", str(folder / "keys.txt"), *words]) == 0
     recorded = read(log)
     moving = recorded.velocity[1:]

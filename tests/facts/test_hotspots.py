@@ -196,6 +196,9 @@ LOOK = 'if (HasLOS(a, b) == 1) Print("seen");'
     # The label that is called sleeps 0.2 s, whichever way.
     (["startup:", "while (1) {", LOOK, "call nap;", "}", "return;",
       "nap: if (Rand() < 0.5) Sleep(1); else { Sleep(0.1); Sleep(0.1); } return;"], 5),
+    # That of a handler which can come twice may find no place for the call, and turn without.
+    (["activated:", "while (1) {", LOOK, "call nap;", "}", "return;", "nap: Sleep(0.2); return;"], math.inf),
+    (["activated:", "while (1) {", LOOK, "call nap; Sleep(0.5);", "}", "return;", "nap: Sleep(0.5); return;"], 2),
     # What sleeps on one way only may turn for ever without.
     (["startup:", "while (1) {", LOOK, "call nap;", "}", "return;",
       "nap: if (Rand() < 0.5) Sleep(1); return;"], math.inf),
@@ -282,6 +285,14 @@ def test_an_endless_loop_is_over_any_budget_though_its_ends_are_not_known() -> N
     with level_with_files(*lines) as level:
         (told,) = lint(level, [find_rule("JK650")])
     assert told.message.startswith("cog 0 (look.cog) asks for sight any number of times a second")
+
+
+def test_a_loop_that_may_end_after_any_number_of_turns_is_over_no_budget() -> None:
+    script = looking("startup: SetPulse(1); return;", "pulse: while (Rand() < 0.5)", LOOK, "return;")
+    lines = placed_cog("20 21", *script)
+    assert [(h.calls_per_second, h.endless) for h in hotspots(*lines)] == [(math.inf, False)]
+    with level_with_files(*lines) as level:
+        assert lint(level, [find_rule("JK650")]) == []
 
 
 @pytest.mark.parametrize(("mask", "calls"), [("mask=0x405", 15), ("mask=0x404", 0), ("nolink", 0), ("", 15)])
@@ -380,6 +391,24 @@ def test_messages_of_one_script_wake_loops_of_another() -> None:
     assert [h.calls_per_second for h in two_scripts(tick, beside)] == pytest.approx([4])
 
 
+@pytest.mark.parametrize(("asks", "answers", "calls"), [
+    ("startup: return;", "user0: Sleep(1); return;", 5),
+    # The first script sends it in its own startup, and the second may be asleep when startup comes to it.
+    ("startup: SendMessage(other, user0); return;", "user0: Sleep(1); return;", math.inf),
+    ("startup: SendMessage(other, user0); return;", "user0: return;", 5),
+    ("startup: SendMessage(other, user0); return;", "user0: call nap; return;", math.inf),
+    ("startup: DamageThing(20, 1, 1, 20); return;", "activated: Sleep(1); return;", math.inf),
+    ("startup: SendMessage(other, startup); return;", "user0: return;", math.inf),
+    # Later: on top of the loop.
+    ("activated: SendMessage(other, user0); return;", "user0: Sleep(1); return;", 5),
+    ("startup: SetPulse(1); return; pulse: SendMessage(other, user0); return;", "user0: Sleep(1); return;", 5),
+    ("startup: SetPulse(1); return; pulse: SendMessage(other, startup); return;", "user0: return;", math.inf),
+])  # fmt: skip
+def test_a_label_that_the_loop_of_startup_calls(asks: str, answers: str, calls: float) -> None:
+    loop = ["startup: while (1) {", LOOK, "call nap; } return;", answers, "nap: Sleep(0.2); return;"]
+    assert [h.calls_per_second for h in two_scripts([asks], loop)] == pytest.approx([calls])
+
+
 @pytest.mark.parametrize("target", ["GetSenderRef()", "GetMasterCog()", "GetThingClassCog(20)"])
 def test_messages_to_a_cog_that_is_not_known_are_told(target: str) -> None:
     tick = ["startup: SetPulse(0.1); return;", f"pulse: SendMessage({target}, user0); return;"]
@@ -393,6 +422,17 @@ def test_a_script_that_a_thing_is_given_to_gets_messages_that_are_not_known(verb
     for given, told in ((verb, True), (verb.replace("other", "-1"), False)):
         (found,) = two_scripts([f"activated: {given}; return;"], [f"pulse: {LOOK} return;"])
         assert found.more is told
+
+
+@pytest.mark.parametrize(("answer", "more"), [("", False), ("call watch;", True)])
+def test_a_message_that_is_not_known_wakes_what_its_handler_comes_to(answer: str, more: bool) -> None:
+    start = ["startup: SendMessage(GetMasterCog(), user1); return;"]
+    loop = ["startup: call watch; return;", f"user1: {answer} return;", "watch: while (1) {"]
+    sleep = ["Sleep(0.25);", "} return;"]
+    assert [h.more for h in two_scripts(start, [*loop, LOOK, *sleep])] == [more]
+    # And what the loop sends on.
+    asked = ["user0: if (HasLOS(i, i) == 1) return; return;"]
+    assert [h.more for h in two_scripts([*start, *asked], [*loop, "SendMessage(back, user0);", *sleep])] == [more]
 
 
 def test_what_is_not_known_is_passed_on() -> None:

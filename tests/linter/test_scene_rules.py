@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from jktools.diagnostics import Diagnostic
@@ -76,26 +78,53 @@ def test_the_engine_does_not_take_a_negative_drag(word: str) -> None:
         assert messages("JK720", "World templates 4", *lines) == []
 
 
-def gets_away(maxthrust: float, static: float, fps: float) -> bool:
-    """A hundred frames of an AI that runs: it adds to the speed, then the floor takes what is too slow, then drag."""
-    speed = 0.0
+def gets_away(maxthrust: float, static: float, fps: float, *, stopped_at: bool) -> bool:
+    """A hundred frames of an AI that runs: it adds to the speed, then the floor takes what is too slow, then drag.
+
+    In float32, as the engine; `stopped_at` is whether what is exactly as slow as `static` is too slow.
+    """
+    speed, least = np.float32(0), np.float32(static)
     for _ in range(100):
-        speed += maxthrust * 2 / fps
-        speed = 0.0 if speed < static else speed * (1 - 3 / fps)
-    return speed > 0
+        speed += np.float32(maxthrust) * np.float32(1 / fps) * np.float32(2)
+        slow = speed <= least if stopped_at else speed < least
+        speed = np.float32(0) if slow and static else speed * np.float32(1 - 3 / fps)
+    return bool(speed > 0)
+
+
+AT_THE_BOUNDARY = [(12.499999, 0.5), (12.5, 0.5), (12.500001, 0.5), (12.5, 0.49999997), (12.5, 0.50000006)]
+"""12.5 x 2 / 50 = 0.5; each neighbour is the next float32."""
 
 
 @pytest.mark.parametrize(
-    ("thrust", "static"), [(2, 0.3), (2, 0.081), (2, 0.08), (2, 0.07), (7.4, 0.3), (7.6, 0.3), (5, 0)]
+    ("thrust", "static"),
+    [(2, 0.3), (2, 0.081), (2, 0.08), (2, 0.07), (7.4, 0.3), (7.6, 0.3), (5, 0), *AT_THE_BOUNDARY],
 )
 def test_an_ai_must_push_more_than_static_drag_takes(thrust: float, static: float) -> None:
     line = f"{GUARD} aiclass=a.ai surfdrag=3 maxthrust={thrust} staticdrag={static}"
-    assert (said("JK721", line) == []) is gets_away(thrust, static, 50)
+    research, decompiled = (gets_away(thrust, static, 50, stopped_at=at) for at in (True, False))
+    found = said("JK721", line)
+    assert (found == []) is (research and decompiled)
+    assert all(("by the decompiled engine only what is slower" in each) is decompiled for each in found)
+
+
+def test_static_drag_at_the_exact_boundary_is_told_by_each_profile() -> None:
+    def of(thrust: str, static: str) -> list[str]:
+        found = said("JK721", f"{GUARD} aiclass=a.ai surfdrag=3 maxthrust={thrust} staticdrag={static}")
+        return [each.partition(" by up to ")[2] for each in found]
+
+    frame = "JKU/s in a frame of 0.02 s (maxthrust x 2 / 50), but its staticdrag stops"
+    assert of("12.5", ".5") == [
+        f"0.5 {frame} by the research document also what has 0.5 JKU/s before it moves, by the decompiled engine only "
+        "what is slower"
+    ]
+    assert of("12.5", ".50000006") == [f"0.5 {frame} what is slower than 0.5000001 JKU/s before it moves"]
+    assert of("12.5", ".49999997") == []
 
 
 def test_static_drag_matters_at_a_high_frame_rate_only() -> None:
-    assert gets_away(2, 0.3, 10)
-    assert not gets_away(2, 0.3, 50)
+    for at in (True, False):
+        assert gets_away(2, 0.3, 10, stopped_at=at)
+        assert not gets_away(2, 0.3, 50, stopped_at=at)
 
 
 STUCK = f"{GUARD} aiclass=a.ai surfdrag=3 staticdrag=.3"
@@ -133,6 +162,15 @@ def test_a_light_in_the_middle_of_a_room_must_reach_its_corners(light: str, told
     # The corners are sqrt(3) / 2 away: 0.8 times that is 0.6928.
     found = said("JK730", f"lamp none type=cog light={light}", "World things 4", "2: lamp lamp .5 .5 .5 0 0 0 0")
     assert len(found) == told
+
+
+def test_a_light_that_ends_just_short_of_a_vertex_is_told_by_figures_that_differ() -> None:
+    (told,) = said("JK730", "lamp none type=cog light=.6928203", "World things 4", "2: lamp lamp .5 .5 .5 0 0 0 0")
+    reach, nearest = float(np.float32(0.6928203)) / 0.8, 0.75**0.5
+    assert f"{reach:.6g}" == f"{nearest:.6g}" == "0.866025"
+    read = [float(each) for each in re.findall(r"0\.866\d*", told)]
+    assert read == pytest.approx([reach, nearest], abs=5e-9)
+    assert read[0] < read[1]
 
 
 SMOKE = "smoke none type=particle timer=1 material=m.mat range=.1 elementsize=.01 count=9"

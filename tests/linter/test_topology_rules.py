@@ -120,6 +120,32 @@ def test_one_sees_through_only_what_is_visible(surface: tuple[str, str], adjoin:
         assert found[0].help == "set flags 0x7 on the adjoin, or draw the surface opaque"
 
 
+def test_a_hidden_adjoin_is_told_once_a_pair() -> None:
+    near, far = "3: 0 0x0 0x4 0 3 1 0 0 4 3,0 2,1 6,2 7,3 1 1 1 1", "8: 0 0x0 0x6 4 3 1 1 0 4 3,0 7,1 6,2 2,3 1 1 1 1"
+    hidden = ("World adjoins 2", "0: 0x6 1 1", "1: 0x2 0 1", "World surfaces 12")
+    (both,) = findings("JK223", *hidden, near, far)
+    assert both.message == (
+        "surface 3 (sector 0, surface 3) is not drawn and surface 8 (sector 1, surface 2) is translucent, but their "
+        "adjoins 0 (flags 0x6) and 1 (flags 0x2) are not visible"
+    )
+    assert both.help == "set flags 0x7 on adjoin 0 and flags 0x3 on adjoin 1, or draw both surfaces opaque"
+    assert [label.message for label in both.related] == ["adjoin 0", "adjoin 1", "surface 8"]
+    (alike,) = messages("JK223", *hidden, near, far.replace("0x6 4", "0x4 0"))
+    assert alike == (
+        "surface 3 (sector 0, surface 3) and surface 8 (sector 1, surface 2) are not drawn, but their adjoins 0 (flags "
+        "0x6) and 1 (flags 0x2) are not visible"
+    )
+    # Each side alone.
+    assert messages("JK223", *hidden, far) == [
+        "surface 8 (sector 1, surface 2) is translucent, but its adjoin 1 is not visible (flags 0x2)"
+    ]
+    one_way = ("World adjoins 2", "0: 0x1 1 1", "1: 0x2 0 1", "World surfaces 12")
+    assert [m.partition(" (")[0] for m in messages("JK223", *one_way, near, far)] == ["surface 8"]
+    # An adjoin whose mirror is another's is no pair.
+    astray = ("World adjoins 2", "0: 0x6 0 1", "1: 0x2 0 1", "World surfaces 12")
+    assert [m.partition(" (")[0] for m in messages("JK223", *astray, near, far)] == ["surface 3", "surface 8"]
+
+
 def test_a_floor_says_which_flags_to_write() -> None:
     (found,) = findings("JK220", *drawn(SOLID, flags="0x81"))
     assert found.help == "set flags 0x85, or clear the floor flag"

@@ -13,6 +13,9 @@ from jktools.model.cog.program import Program
 from jktools.syntax.cog.nodes import Block as Braces
 from jktools.syntax.cog.nodes import CallLabel, Empty, Goto, Labeled, Statement
 
+MOST_FRAMES = 4
+"""How deep `call` and messages nest."""
+
 
 @dataclass(frozen=True, slots=True)
 class Passage:

@@ -98,6 +98,11 @@ class Hotspot:
         return self.endless or any(runs > 0 for runs in self.handlers.values()) or 0 < self.calls_per_second < math.inf
 
     @property
+    def is_counted(self) -> bool:
+        """Whether it is known how often it is called: a loop around it is bounded, or sure never to end."""
+        return self.endless or self.calls_per_second < math.inf
+
+    @property
     def help(self) -> str:
         """What would make it cheaper."""
         if self.verdict is not Verdict.VARIES:

@@ -13,9 +13,11 @@ from functools import cached_property
 from typing import NamedTuple
 
 from jktools.facts.cog import ranges
+from jktools.facts.cog.counter import Counter
+from jktools.facts.cog.counting import VIEWS
 from jktools.facts.cog.lowering import Op
-from jktools.facts.cog.rates import LEAST_DELAY, PULSE, TIMER, TRIGGER, Site
-from jktools.facts.cog.repeats import NEVER, VIEWS, Counter, Repeats
+from jktools.facts.cog.rates import LEAST_DELAY, LOADING, PULSE, STARTUP, TIMER, TRIGGER, Site
+from jktools.facts.cog.repeats import NEVER, Repeats
 from jktools.facts.hotspots.clocks import turns_off_own_pulse, turns_off_pulse_of_sender
 from jktools.facts.hotspots.runners import Runner
 from jktools.facts.hotspots.traces import Leaf, leaves
@@ -119,9 +121,12 @@ class Network:
         self._beating: set[int] = set()
         self.inputs: dict[Node, Inputs] = {}
         self.clocks: dict[tuple[Runner | int, str], Clock] = {}
-        self.repeats = {runner: _repeats(runner, frames) for runner in self.runners}
         self._start()
         self._close()
+        self.repeats = {runner: self._repeats(runner, frames) for runner in self.runners}
+        for clock in self.clocks.values():
+            clock.once = clock.kind == "timer" or (clock.kind == "pulse" and self._turned_off(clock))
+        self._spread()
 
     def passes(self, node: Node, site: Site) -> Repeats:
         """How often a handler's run comes to a call, if no other script looks for things in view meanwhile."""
@@ -163,9 +168,6 @@ class Network:
             for site in _sites(sender):
                 for found in self._sent(sender, site):
                     pending.append(found)
-        for clock in self.clocks.values():
-            clock.once = clock.kind == "timer" or (clock.kind == "pulse" and self._turned_off(clock))
-        self._spread()
 
     def _sent(self, sender: Node, site: Site) -> Iterator[Node]:
         """Add what a call sends; the handlers that were not known to run before."""
@@ -350,11 +352,10 @@ class Network:
             inputs.open |= node.runner.more and _handler(node).message.id not in quiet
         grown = True
         while grown:
-            opened = {node.runner for node, inputs in self.inputs.items() if inputs.open}
             more = [
                 inputs
                 for inputs in self.inputs.values()
-                if not inputs.open and any(self.is_loose(s) or self._wakes(s, opened) for s in inputs.messages)
+                if not inputs.open and any(self.is_loose(s) or self.is_woken(s.sender, s.site) for s in inputs.messages)
             ]
             for inputs in more:
                 inputs.open = True
@@ -364,9 +365,16 @@ class Network:
         """Whether a call can happen more often than is known."""
         return self.inputs[sending.sender].open or self.may_be_disturbed(sending.sender, sending.site)
 
-    def _wakes(self, sending: Sending, opened: set[Runner]) -> bool:
+    def is_woken(self, node: Node, site: Site) -> bool:
         """Whether a message that is not known can add a turn to a loop that sleeps around a call."""
-        return sending.sender.runner in opened and self.passes(sending.sender, sending.site).per_interruption > 0
+        if not self.passes(node, site).per_interruption:
+            return False
+        return any(self.inputs[Node(node.runner, label)].open for label in self.wakers(node.runner, site))
+
+    def wakers(self, runner: Runner, site: Site) -> frozenset[str]:
+        """The handlers whose messages can come to the same loop around a call."""
+        repeats = self.repeats[runner]
+        return frozenset(n.label for n in self.live if n.runner is runner and site.block in repeats[n.label])
 
     def may_be_disturbed(self, node: Node, site: Site) -> bool:
         """Whether a loop on the way to a call can turn more often, by what a verb in it makes run in between.
@@ -382,6 +390,42 @@ class Network:
             other.runner is node.runner and not self._is_clocked(other) and own.intersection(_stored(other))
             for other in self.live
         )
+
+    # ---- before the start
+
+    def _repeats(self, runner: Runner, frames: float) -> Mapping[str, Mapping[int, Repeats]]:
+        each = runner.analysis
+        counter = Counter(each.program, each.flow, each.reach, each.known, frames=frames, undisturbed=True)
+        found = each.rates.repeats_by(counter)
+        without = each.rates.repeats_by(counter, first=False)
+        return found if found == without or not self._is_sent_to_before_startup(runner) else without
+
+    def _is_sent_to_before_startup(self, runner: Runner) -> bool:
+        """Whether `startup` may find another handler of its script unfinished, by what others do in theirs.
+
+        And whether it may come once more: by what another script sends.
+        """
+        own = [node for node in self.live if node.runner is runner]
+        starts = [node for node in own if _handler(node).message.name == STARTUP]
+        early = {n for n in self.live if _handler(n).message.name in (STARTUP, LOADING)}.difference(starts)
+        grown = True
+        while grown:
+            acts = any(_acts(node) for node in early)
+            more = {
+                node
+                for node, inputs in self.inputs.items()
+                if node not in early
+                and node not in starts
+                and ((acts and inputs.events) or any(s.sender in early for s in inputs.messages))
+            }
+            early |= more
+            grown = bool(more)
+        sleeps = runner.analysis.rates.sleeps
+        return any(self.inputs[node].messages for node in starts) or any(
+            node in early and sleeps(node.label) for node in own
+        )
+
+    # ---- what verbs run in between
 
     @cached_property
     def _looking(self) -> list[Node]:
@@ -406,10 +450,9 @@ def _stored(node: Node) -> set[int]:
     return {arg if op is Op.STORE else _ANY_ENTRY for op, arg in code if op in (Op.STORE, Op.STORE_AT)}
 
 
-def _repeats(runner: Runner, frames: float) -> Mapping[str, Mapping[int, Repeats]]:
-    each = runner.analysis
-    counter = Counter(each.program, each.flow, each.reach, each.known, frames=frames, undisturbed=True)
-    return {h.label: counter.of_handler(each.flow.label_block[h.label]) for h in each.program.handlers}
+def _acts(node: Node) -> bool:
+    """Whether a handler does what the world may answer with a message, before the verb comes back."""
+    return any(s.verb.delivers and s.verb.name not in (*_MESSAGES, "sendtrigger") for s in _sites(node))
 
 
 def _sites(node: Node) -> Iterator[Site]:

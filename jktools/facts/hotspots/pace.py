@@ -17,9 +17,10 @@ from functools import cached_property
 from typing import NamedTuple, TypeVar
 
 from jktools.facts.cog import ranges
+from jktools.facts.cog.loops import endless_parts
 from jktools.facts.cog.lowering import Block
 from jktools.facts.cog.rates import Site, apart
-from jktools.facts.cog.repeats import Repeats, endless_parts
+from jktools.facts.cog.repeats import Repeats
 from jktools.facts.hotspots.network import Clock, Inputs, Network, Node, Sending
 from jktools.facts.hotspots.runners import Runner
 from jktools.geometry.components import components
@@ -96,10 +97,8 @@ class Paces:
     def is_open(self, runner: Runner, label: str, site: Site) -> bool:
         """Whether a handler can come to a call more often than `calls` tells, by what is not known."""
         node = Node(runner, label)
-        if self.network.inputs[node].open or self.network.may_be_disturbed(node, site):
-            return True
-        woken = self.passes(runner, label, site).per_interruption > 0
-        return woken and any(self.network.inputs[n].open for n in self.network.live if n.runner is runner)
+        network = self.network
+        return network.inputs[node].open or network.may_be_disturbed(node, site) or network.is_woken(node, site)
 
     def asked(self, runner: Runner, label: str, site: Site) -> float:
         """The shortest interval, in seconds, that a clock or a sleep on the way to a call asks for; infinite without.
@@ -145,11 +144,7 @@ class Paces:
 
 def _wake(network: Network, node: Node, site: Site) -> Wake:
     """What wakes a loop around a call."""
-    repeats = network.repeats[node.runner]
-    return Wake(
-        node.runner,
-        frozenset(n.label for n in network.live if n.runner is node.runner and site.block in repeats[n.label]),
-    )
+    return Wake(node.runner, network.wakers(node.runner, site))
 
 
 def _calls(bounds: Mapping[_Vertex, Bound], network: Network, node: Node, site: Site, passes: Repeats) -> Bound:

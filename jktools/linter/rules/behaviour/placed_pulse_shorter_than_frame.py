@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.facts.cog import ranges
+from jktools.linter.figures import told_apart
 from jktools.linter.rule import Finding, rule
 from jktools.linter.rules.behaviour.pulse_shorter_than_frame import PULSES, SHORTEST, outruns_frames
 from jktools.model import Level
@@ -59,9 +60,10 @@ def placed_pulse_shorter_than_frame(level: Level, facts: LevelFacts) -> Iterator
             low, high = ranges.as_flex(site.arguments[at])
             anyway = ranges.as_flex(anyhow[site.call].arguments[at])[1]
             if low > 0 and outruns_frames(high) and not outruns_frames(anyway):
+                asked, frame = told_apart(high, SHORTEST)
                 yield Finding(
                     Label(instance.cog.head_span),
-                    f"{instance.cog.title} sets a pulse every {high:.6g} s, but a frame takes {SHORTEST} s",
+                    f"{instance.cog.title} sets a pulse every {asked} s, but a frame takes {frame} s",
                     "give it a longer interval",
                     instance.cog.subject,
                     (instance.script.label(site.call, "the call"),),

@@ -9,6 +9,7 @@ import numpy as np
 from jktools.diagnostics import Severity
 from jktools.facts import ScriptFacts
 from jktools.facts.cog import ranges
+from jktools.linter.figures import told_apart
 from jktools.linter.rule import Finding, rule
 from jktools.syntax.cog import Script
 
@@ -64,8 +65,9 @@ def pulse_shorter_than_frame(script: Script, facts: ScriptFacts) -> Iterator[Fin
             continue
         low, high = ranges.as_flex(site.arguments[at])
         if low > 0 and outruns_frames(high):
+            asked, frame = told_apart(high, SHORTEST)
             yield Finding(
                 facts.label(site.call),
-                f"a pulse every {high:.6g} s is set, but a frame takes {SHORTEST} s",
+                f"a pulse every {asked} s is set, but a frame takes {frame} s",
                 "set a longer interval",
             )

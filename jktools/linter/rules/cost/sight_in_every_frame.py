@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
+from jktools.linter.figures import told_apart
 from jktools.linter.hotspots import call_label, ours, place_of, subject_of
 from jktools.linter.rule import Finding, rule
 from jktools.linter.rules.behaviour.pulse_shorter_than_frame import SHORTEST, outruns_frames
@@ -70,9 +71,10 @@ def sight_in_every_frame(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """
     for spot in ours(facts):
         if outruns_frames(spot.pulse) and spot.lasts:
+            asked, frame = told_apart(spot.pulse, SHORTEST)
             yield Finding(
                 place_of(spot.runner),
-                f"{spot.runner.title} tests sight every {spot.pulse:.6g} s, but a frame takes {SHORTEST} s",
+                f"{spot.runner.title} tests sight every {asked} s, but a frame takes {frame} s",
                 spot.help,
                 subject_of(spot.runner),
                 (call_label(spot),),

@@ -10,6 +10,7 @@ import msgspec
 
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
+from jktools.linter.figures import told_apart
 from jktools.linter.hotspots import call_label, ours, place_of, subject_of
 from jktools.linter.rule import Finding, Options, rule
 from jktools.model import Level
@@ -31,8 +32,8 @@ def sight_over_budget(level: Level, facts: LevelFacts, options: Budget) -> Itera
     `HasLOS` walks from sector to sector and tests every surface of each; `FirstThingInView` walks through up to 128
     sectors. A script that asks for it in a pulse, on many things, slows the game down: a class COG runs once for each
     thing that carries it. The cost is counted, not timed: calls a second times the surfaces that the real segments
-    pass, with one end at the middle of each sector that it can come to where it moves. A loop that nothing ends counts
-    as over any budget.
+    pass, with one end at the middle of each sector that it can come to where it moves. A loop that is sure never to end
+    counts as over any budget; one that ends, but nobody knows after how many turns, is left out.
 
     ## Bad
         World templates 4
@@ -78,18 +79,21 @@ def sight_over_budget(level: Level, facts: LevelFacts, options: Budget) -> Itera
             return;
         end
     """
-    by_script = sorted((spot for spot in ours(facts) if spot.lasts), key=lambda spot: spot.runner.place)
+    by_script = sorted(
+        (spot for spot in ours(facts) if spot.lasts and spot.is_counted), key=lambda spot: spot.runner.place
+    )
     for runner, group in groupby(by_script, key=lambda spot: spot.runner):
         spots = sorted(group, key=lambda spot: -spot.surfaces_per_second)
         total = sum(spot.surfaces_per_second for spot in spots)
         if total > options.surfaces:
             calls = sum(spot.calls_per_second for spot in spots)
             often = "any number of" if calls == float("inf") else f"up to {calls:.6g}"
-            much = "any number of" if total == float("inf") else f"some {total:.6g}"
+            tests, most = told_apart(total, options.surfaces)
+            much = "any number of" if total == float("inf") else f"some {tests}"
             yield Finding(
                 place_of(runner),
                 f"{runner.title} asks for sight {often} times a second, which tests {much} surfaces, but the budget is "
-                f"{options.surfaces:.6g}",
+                f"{most}",
                 spots[0].help,
                 subject_of(runner),
                 tuple(call_label(spot) for spot in spots),

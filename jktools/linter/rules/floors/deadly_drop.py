@@ -11,6 +11,7 @@ from jktools.engine.flags import SurfaceFlag
 from jktools.facts import LevelFacts
 from jktools.facts.bodies import FULL_HEALTH
 from jktools.facts.ledges import Kind
+from jktools.linter.figures import told_apart
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -71,10 +72,11 @@ def deadly_drop(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         for index in sorted(set(ledges.surface[kills].tolist())):
             rows = np.flatnonzero(kills & (ledges.surface == index))
             surface = level.surfaces[index]
+            drop, least = told_apart(float(ledges.deepest[rows].max()), deadly, 4)
             yield Finding(
                 Label(surface.head_span),
-                f"{surface.title} ends {ledges.deepest[rows].max():.4g} JKU above the floor below, but a fall of "
-                f"{deadly:.4g} JKU costs {ledges.walker.title} {FULL_HEALTH:g} points of health",
+                f"{surface.title} ends {drop} JKU above the floor below, but a fall of "
+                f"{least} JKU costs {ledges.walker.title} {FULL_HEALTH:g} points of health",
                 None,
                 surface.subject,
             )

@@ -10,6 +10,7 @@ from jktools.diagnostics import Label, Severity
 from jktools.engine.profile import Engine
 from jktools.facts import LevelFacts
 from jktools.facts.ledges import Kind
+from jktools.linter.figures import told_apart
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -74,10 +75,11 @@ def ledge_near_changeover(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             if ledges.kind[row] != ledges.other[row]:
                 (other,) = set(Engine) - {ledges.engine}
                 verdicts += f", {Kind(ledges.other[row]).name.lower()} by {other}"
+            drop, limit = told_apart(float(ledges.deepest[row]), limits[ledges.engine])
             yield Finding(
                 Label(surface.head_span),
-                f"the drop from {surface.title} to surface {ledges.below[row]} is {ledges.deepest[row]:.6g} JKU, but "
-                f"{ledges.walker.title} falls beyond {limits[ledges.engine]:.6g} JKU: {verdicts}",
+                f"the drop from {surface.title} to surface {ledges.below[row]} is {drop} JKU, but "
+                f"{ledges.walker.title} falls beyond {limit} JKU: {verdicts}",
                 "make the drop clearly lower or clearly higher",
                 surface.subject,
             )

@@ -6,6 +6,7 @@ import numpy as np
 
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
+from jktools.linter.figures import told_apart
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -30,10 +31,11 @@ def collidebox_inverted(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     for index in np.flatnonzero((boxes[:, :3] > boxes[:, 3:]).any(axis=1)).tolist():
         sector = level.sectors[index]
         axis = int(np.flatnonzero(boxes[index, :3] > boxes[index, 3:])[0])
+        start, end = told_apart(boxes[index, axis], boxes[index, axis + 3])
         yield Finding(
             Label(sector.line_span("collide_box")),
-            f"the collide box of sector {index} reaches along {'xyz'[axis]} from {boxes[index, axis]:.6g} down to "
-            f"{boxes[index, axis + 3]:.6g}, but must reach up",
+            f"the collide box of sector {index} reaches along {'xyz'[axis]} from {start} down to "
+            f"{end}, but must reach up",
             "write the least corner first, or remove the line",
             sector.subject,
         )

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.facts.lights import still_lights
+from jktools.linter.figures import told_apart
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -33,10 +34,11 @@ def light_reaches_no_vertex(level: Level, facts: LevelFacts) -> Iterator[Finding
     """
     for light in still_lights(level):
         if not len(light.vertices):
+            reach, nearest = told_apart(light.reach, light.nearest)
             yield Finding(
                 Label(light.thing.head_span),
-                f"{light.thing.title} has light {light.intensity:.6g}, which ends {light.reach:.6g} JKU away, but the "
-                f"nearest vertex of a surface is {light.nearest:.6g} JKU away",
+                f"{light.thing.title} has light {light.intensity:.6g}, which ends {reach} JKU away, but the "
+                f"nearest vertex of a surface is {nearest} JKU away",
                 "make it brighter or move it to a vertex, or leave the light out",
                 light.thing.subject,
             )

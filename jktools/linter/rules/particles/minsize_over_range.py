@@ -8,6 +8,7 @@ from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.facts.own_line import own_origin
 from jktools.facts.particles import own_clouds
+from jktools.linter.figures import told_apart
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
@@ -35,9 +36,10 @@ def minsize_over_range(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         place = own_origin(held, "minsize", "range")
         known = "range" in held.values or not held.leaves_level
         if place is not None and known and made.minsize > made.range >= 0:
+            least, most = told_apart(made.minsize, made.range)
             yield Finding(
                 Label(place.span),
-                f"{held.owner.title} has minsize {made.minsize:.6g}, but range {made.range:.6g}",
+                f"{held.owner.title} has minsize {least}, but range {most}",
                 "swap the two, or leave minsize out",
                 held.owner.subject,
             )

@@ -33,6 +33,10 @@ def no_player_start(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     things = level.document.sections.get("things")
     yield Finding(
         Label(level.source if things is None else level.line_span(things)),
-        f"the level has {len(level.things)} things, but none of type player",
+        f"the level has {_counted(len(level.things))}, but none of type player",
         "place a walkplayer where the player starts",
     )
+
+
+def _counted(things: int) -> str:
+    return f"{things or 'no'} thing{'s' * (things != 1)}"
