@@ -78,6 +78,10 @@ def run_command(
     """Simulate walkplayer, or the body of another template, under SCRIPT."""
     if output is not None and output.suffix.lower() not in (".csv", ".m", ".png"):
         raise click.BadParameter(f"{output.name} names no format: .csv, .m or .png", param_hint="--output")
+    if output is not None and not output.parent.is_dir():
+        raise click.BadParameter(
+            f"there is no folder {output.parent} to write {output.name} into", param_hint="--output"
+        )
     if (level is None) != (place is None):
         raise click.UsageError("--level and --at go together")
     if template is not None and level is None:

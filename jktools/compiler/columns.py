@@ -359,12 +359,26 @@ MODELS: Mapping[str, Column] = MappingProxyType(
     _rows(
         "name",
         {
-            "name": _TEXT,
-            "insert_offset": Column("f4", 3, group="model"),
-            "radius": Column("f4", group="model"),
-            "known": Column("u1", group="model"),
+            "name": replace(_TEXT, since=3),
+            "insert_offset": Column("f4", 3, since=3, group="model"),
+            "radius": Column("f4", since=3, group="model"),
+            "known": Column("u1", since=3, group="model"),
         },
     )
+)
+
+FILES: Mapping[str, Column] = MappingProxyType(
+    {
+        **_rows(
+            "name",
+            {
+                "name": replace(_TEXT, since=3),
+                "folder": replace(_TEXT, since=3, group="file"),
+                "found": Column("u1", since=3, group="file"),
+            },
+        ),
+        "sha256": Column("u1", 32, since=3),
+    }
 )
 
 _LISTS = (
@@ -390,6 +404,7 @@ SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
         "ledges": LEDGES,
         "basins": BASINS,
         "models": MODELS,
+        "files": FILES,
     }
 )
 """The sections of the file in its order, with their columns."""

@@ -22,7 +22,7 @@ from jktools.compiler.passes import Outcome, Progress, run
 from jktools.compiler.reader import ALIGNMENT, FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
 from jktools.compiler.sections import Columns, Strings, parameter_keys
 from jktools.compiler.settings import CompileSettings
-from jktools.compiler.text import coded, symbols_of
+from jktools.compiler.text import written
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.model import Level
@@ -59,12 +59,16 @@ def compilation(
 ) -> Compilation:
     """Compile a level. `progress` is told the name of each pass before it runs, and `WRITING` behind the last.
 
+    With `facts`, what they have worked out is not worked out again; the file then lists all that was ever looked for.
     Raises CompileError when the engine would refuse it or read beyond its lists, PassError when a pass fails and the
     settings do not say to keep going.
     """
     settings = settings or CompileSettings()
     _refuse_broken(level)
-    facts = facts or LevelFacts(level)
+    if facts is None:
+        # What was looked for before is no matter of this file.
+        level = level.anew()
+        facts = LevelFacts(level)
     if settings.accuracy == "fast":
         level = on_grid(level)
         facts = LevelFacts(level, facts.vocabulary)
@@ -216,8 +220,7 @@ def _strings(builder: flatbuffers.Builder, texts: Sequence[str]) -> int:
 def _text(file: _File, texts: Sequence[str]) -> dict[str, int]:
     """Every string, one after the other: by symbols, or as it is with a zero byte behind it."""
     octets = [text.encode() for text in texts]
-    symbols = [] if file.plain else symbols_of(octets)
-    octets = coded(octets, symbols) if symbols else [each + b"\0" for each in octets]
+    octets, symbols = ([each + b"\0" for each in octets], []) if file.plain else written(octets)
     start = np.concatenate([[0], np.cumsum([len(each) for each in octets], dtype=np.int64)])
     fields = {
         "strings": _offsets(file.builder, []),
@@ -255,6 +258,8 @@ def _passes(builder: flatbuffers.Builder, outcomes: Mapping[str, Outcome]) -> in
     passes = []
     for name, outcome in outcomes.items():
         fields: dict[str, int] = {"name": builder.CreateString(name), "ran": outcome.columns is not None}
+        if outcome.failed:
+            fields["failed"] = True
         if outcome.note:
             fields["note"] = builder.CreateString(outcome.note)
         passes.append(_table(builder, "Pass", **fields))

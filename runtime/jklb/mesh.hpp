@@ -63,6 +63,9 @@ public:
     }
 
     Index corners(Index surface) const { return start_[index(surface) + 1] - start_[index(surface)]; }
+    // Whether it can be computed with.
+    bool sound(Index surface) const { return unsound_[index(surface)] == unsound_[index(surface) + 1]; }
+
     Index corner_vertex(Index surface, Index i) const { return vertex_[index(start_[index(surface)] + i)]; }
     Point corner(Index surface, Index i) const { return vertex(corner_vertex(surface, i)); }
 

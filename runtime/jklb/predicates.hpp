@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <initializer_list>
+#include <utility>
 
 #include "exact.hpp"
 
@@ -193,18 +194,37 @@ inline bool odd(double x) {
 
 // The double nearest to above / fall, ties to even: `guess` moved until neither neighbour is nearer. Positive numbers.
 template <typename Number>
-double nearest(const Fraction<Number>& t, double guess) {
-    const Number twice = t.above + t.above;
+double nearest(const Number& above, const Number& fall, double guess) {
+    const Number twice = above + above;
     for (bool up : {true, false})
         for (;;) {
             const double other = guess == 0 && !up ? guess : next(guess, up);
             if (other == guess) break;
             // Whether above / fall lies beyond the middle between the two.
-            const int beyond = (twice - Number::difference(guess, -other) * t.fall).sign() * (up ? 1 : -1);
+            const int beyond = (twice - Number::difference(guess, -other) * fall).sign() * (up ? 1 : -1);
             if (beyond < 0 || (beyond == 0 && !odd(guess))) break;
             guess = other;
         }
     return guess;
+}
+
+// The double nearest to above / fall, ties to even. exact(Number()) is the pair of them, fall positive, in expansions
+// where these hold what they are made of.
+template <typename Exact>
+double quotient(bool fits, const Exact& exact) {
+    const auto of = [](const auto& above, const auto& fall, const auto& guess) {
+        if (above.sign() < 0) return -nearest(decltype(above + above)() - above, fall, guess());
+        return nearest(above, fall, guess());
+    };
+    if (fits) {
+        const auto [above, fall] = exact(Expansion());
+        if (above.sign() == 0) return 0;
+        const double guess = std::abs(above.about() / fall.about());
+        if (guess > 0x1p-600) return of(above, fall, [guess] { return guess; });  // its last bit times fall: no underflow
+    }
+    const auto pair = exact(Dyadic());
+    if (pair.first.sign() == 0) return 0;
+    return of(pair.first, pair.second, [&pair] { return rough_quotient(pair.first, pair.second); });
 }
 
 }  // namespace detail
@@ -231,13 +251,10 @@ inline double depth(const Meeting& met, const Way& way) {
     const Triangle& t = met.triangle;
     if (t.a[2] == t.b[2] && t.a[2] == t.c[2]) return way.from[2] - t.a[2];
     if (met.above.sign == 0) return 0;
-    if (detail::fit(t, way)) {
-        const detail::Fraction<Expansion> exact(t, way);
-        const double guess = exact.above.about() / exact.fall.about();
-        if (guess > 0x1p-600) return detail::nearest(exact, guess);  // its last bit times `fall` does not underflow
-    }
-    const detail::Fraction<Dyadic> exact(t, way);
-    return detail::nearest(exact, rough_quotient(exact.above, exact.fall));
+    return detail::quotient(detail::fit(t, way), [&](auto number) {
+        const detail::Fraction<decltype(number)> exact(t, way);
+        return std::pair(exact.above, exact.fall);
+    });
 }
 
 }  // namespace jklb

@@ -399,6 +399,8 @@ def test_messages_of_one_script_wake_loops_of_another() -> None:
     ("startup: SendMessage(other, user0); return;", "user0: call nap; return;", math.inf),
     ("startup: DamageThing(20, 1, 1, 20); return;", "activated: Sleep(1); return;", math.inf),
     ("startup: SendMessage(other, startup); return;", "user0: return;", math.inf),
+    ("startup: SendMessage(GetSenderRef(), user0); return;", "user0: Sleep(1); return;", math.inf),
+    ("startup: SendMessage(GetSenderRef(), user0); return;", "user0: return;", 5),
     # Later: on top of the loop.
     ("activated: SendMessage(other, user0); return;", "user0: Sleep(1); return;", 5),
     ("startup: SetPulse(1); return; pulse: SendMessage(other, user0); return;", "user0: Sleep(1); return;", 5),

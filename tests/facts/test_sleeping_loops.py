@@ -6,6 +6,7 @@ Where a script is made to do its worst, the interpreter shows that it does: 50 f
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Mapping
 
 import pytest
@@ -14,6 +15,7 @@ from jktools.facts.cog.analysis import Analysis
 from jktools.facts.cog.repeats import Repeats
 from jktools.model.cog.program import Program, Vocabulary
 from jktools.model.cog.values import Value
+from tests.support.cog_bounds import violations
 from tests.support.cog_machine import Machine
 from tests.support.scripts import script_of
 
@@ -178,3 +180,47 @@ def test_runs_that_find_no_place_are_lost_and_hasten_nothing() -> None:
     # Four found a place to be kept, those behind them were lost, each to the next message: the fourth goes on.
     assert 8 + 8 <= play.turns <= 8 + 9
     assert said(program, "activated") == Repeats(1, 1, 1, 1)
+
+
+# ---- at random
+
+
+def napping(seed: int) -> Program:
+    """Loops that call labels, which call labels that sleep, under handlers that sleep or send each other messages."""
+    pick = random.Random(seed)
+    sleeps = ["Sleep(0.1);", "Sleep(0.5);", "Sleep(3);", "WaitForStop(0);"]
+
+    def loop(label: str) -> str:
+        own = pick.choice(["", "", "Sleep(0.25);", "if (Rand() < 0.5) Sleep(1);"])
+        body = f"{TURN} call {label}; {own}"
+        return pick.choice([f"while (Rand() < 0.95) {{ {body} }}", f"do {{ {body} }} while (i < 40);"])
+
+    chain = ["nap", "two", "three", "four", "five"][: pick.randint(1, 5)]
+    labels = [
+        f"{label}: {pick.choice(['', 'Print(1);', *sleeps]) if below else pick.choice(sleeps)}"
+        f"{f'call {below};' if below else ''} return;"
+        for label, below in zip(chain, [*chain[1:], ""], strict=True)
+    ]
+    others = ["return;", "call nap; return;", *(f"{sleep} return;" for sleep in sleeps), "i = 0; return;"]
+    handlers = [f"startup: {loop('nap')} {pick.choice(['', loop('nap')])} return;"]
+    for label in ("activated", "touched", "user0", "pulse", "loading"):
+        if pick.random() < (0.15 if label == "loading" else 0.5):
+            sent = pick.choice(["", "", "SendMessage(GetSelfCog(), user0);", "SetPulse(0.4);"])
+            handlers.append(f"{label}: {sent} {pick.choice([*others, f'{loop(chain[-1])} return;'])}")
+    return program_of(*handlers, *labels)
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_loops_of_labels_that_sleep_turn_no_more_often_than_is_said(part: int) -> None:
+    found = {seed: violations(napping(seed), seed) for seed in range(part * 50, (part + 1) * 50)}
+    assert {seed: each for seed, each in found.items() if each} == {}
+
+
+def test_a_fair_part_of_them_has_bounds() -> None:
+    """Or the test above proves nothing."""
+    counts = []
+    for seed in range(100):
+        rates = Analysis(napping(seed)).rates
+        first = next(site for site in rates.sites if site.verb.name == "getthingtype")
+        counts.append(rates.repeats_of("startup", first).per_run < math.inf)
+    assert 25 < sum(counts) < 90

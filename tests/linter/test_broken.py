@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import re
 from collections import Counter
+from pathlib import Path
 
 import pytest
 
@@ -27,6 +28,9 @@ OPTIONS = {
     "optional": ["--select", ",".join(OFF)],
     "flood": ["--select", "JK009,JK039,JK065"],  # and not each of the thousand
 }
+NEARLY = BROKEN / "nearly"
+LEAST_NEARLY = 100
+"""Rules of which a fixture shows what is just allowed."""
 BINARY = {".mat", ".wav", ".cmp", ".gob"}
 VERSION = "VERSION"
 
@@ -117,10 +121,37 @@ def test_a_family_plants_what_is_off_or_what_is_on() -> None:
     assert sorted(codes["optional"]) == OFF
 
 
+def nearly() -> list[tuple[str, str]]:
+    """File and code of each comment `not JK201: ...`: what stands there is just inside what is allowed."""
+    return [
+        (path.relative_to(NEARLY).as_posix(), code)
+        for path in sorted(p for p in NEARLY.rglob("*.*") if p.suffix not in BINARY)
+        for code in re.findall(r"(?m)(?:#|//) not (JK\d{3})(?: of the file)?: \S", path.read_bytes().decode("latin-1"))
+    ]
+
+
+def test_what_is_nearly_a_fault_is_none(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """No rule that is on says anything, nor does one that is off where a comment names it."""
+    monkeypatch.chdir(ROOT)
+    selected = ",".join(rule.code.id for rule in rules())
+    main(["lint", "fixtures/broken/nearly", "--config", "none", "--format", "json", "--select", selected])
+    found = json.loads(capsys.readouterr().out)["diagnostics"]
+    named = nearly()
+    told = [(each["path"].removeprefix("fixtures/broken/nearly/"), each["code"], each["line"]) for each in found]
+    assert [each for each in told if each[1] not in OFF or each[:2] in named] == []
+
+
+def test_what_is_nearly_a_fault_is_planted_somewhere() -> None:
+    planted_codes = {entry["code"] for entries in EXPECTED.values() for entry in entries}
+    codes = {code for _, code in nearly()}
+    assert codes <= planted_codes
+    assert len(codes) >= LEAST_NEARLY
+
+
 def test_what_is_no_text_is_what_its_generator_makes() -> None:
     assert [name for name, data in make.FILES.items() if (BROKEN / name).read_bytes() != data] == []
     binary = {p.relative_to(BROKEN).as_posix() for p in BROKEN.rglob("*.*") if p.suffix in BINARY}
-    assert binary == make.FILES.keys() - make.TEXTS.keys()
+    assert binary == {name for name in make.FILES if Path(name).suffix in BINARY}
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ from jktools.facts.cog.dataflow import Known
 from jktools.facts.cog.loops import components
 from jktools.facts.cog.lowering import Flow, Op
 from jktools.facts.cog.reach import Reach
+from jktools.facts.cog.stack import is_plain
 from jktools.model.cog.program import Program
 from jktools.syntax.cog.nodes import Assign, Binary, Call, Expression, Name
 
@@ -65,6 +66,8 @@ class CountingLoops:
         stays = block.successors[0] in part
         condition = block.condition
         if not isinstance(condition, Binary) or condition not in self.known.operands:
+            return math.inf
+        if not is_plain(self.program, condition):
             return math.inf
         left, right = self.known.operands[condition]
         sides: list[tuple[Expression, str, ranges.Range, ranges.Range]] = [
@@ -146,7 +149,12 @@ class CountingLoops:
     def _step(self, store: Assign, name: str) -> tuple[float, float]:
         """The interval that `name = name + step` adds; (0, 0) for another shape."""
         value = store.value
-        if isinstance(value, Binary) and value.op in "+-" and value in self.known.operands:
+        if (
+            isinstance(value, Binary)
+            and value.op in "+-"
+            and value in self.known.operands
+            and is_plain(self.program, value)
+        ):
             left, right = self.known.operands[value]
             if isinstance(value.left, Name) and value.left.name == name:
                 low, high = ranges.as_flex(right)

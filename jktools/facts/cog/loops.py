@@ -88,7 +88,7 @@ def endless_parts(flow: Flow, known: Known, reach: Reach) -> list[frozenset[int]
     return [part for part in parts if not _can_end(flow, known, reach, part)]
 
 
-def _ways(block: Block, known: Known) -> list[int]:
+def ways(block: Block, known: Known) -> list[int]:
     """The blocks that one can lead to, as far as its condition tells."""
     holds = ranges.truth(known.conditions[block.index]) if block.index in known.conditions else None
     if not block.tests or holds is None:
@@ -98,7 +98,7 @@ def _ways(block: Block, known: Known) -> list[int]:
 
 def _can_end(flow: Flow, known: Known, reach: Reach, part: frozenset[int]) -> bool:
     blocks = flow.blocks
-    if any(blocks[i].returns or any(s not in part for s in _ways(blocks[i], known)) for i in part):
+    if any(blocks[i].returns or any(s not in part for s in ways(blocks[i], known)) for i in part):
         return True
     called = reach.blocks_from(blocks[i].callee for i in part if blocks[i].callee >= 0)
     return any(

@@ -23,6 +23,7 @@ from jktools.facts.cog.lowering import Flow, Op
 from jktools.facts.cog.ranges import Range
 from jktools.facts.cog.reach import Reach
 from jktools.facts.cog.repeats import FRAMES_PER_SECOND, NEVER, Repeats
+from jktools.facts.cog.stack import written
 from jktools.model.cog.messages import ONCE
 from jktools.model.cog.program import Handler, Program
 from jktools.model.cog.verbs import Verb
@@ -231,7 +232,7 @@ class Rates:
 
         A cog symbol that nothing assigns means another script: a level that binds one to itself is not thought of.
         """
-        target = site.call.arguments[0] if site.call.arguments else None
+        target = written(self.program, site.call)[0]
         if isinstance(target, Name):
             slot = self.program.slot_of.get(target.name)
             return slot is None or slot.type != "cog" or self.counter.counting.is_stored(slot.index)
