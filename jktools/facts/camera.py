@@ -176,7 +176,10 @@ def _shape(portal: _Portal, eye: Point, sine: float, cosine: float) -> _Shape | 
     """What of an adjoin lies before the camera; None for one that looks away."""
     if not _faces(portal.normal, portal.corners[0], eye):
         return None
-    corners = [_turned(corner, eye, sine, cosine) for corner in portal.corners]
+    return _before([_turned(corner, eye, sine, cosine) for corner in portal.corners])
+
+
+def _before(corners: list[Point]) -> _Shape:
     corners = _clipped(corners, [y - NEAR for _, y, _ in corners])
     return _Shape(corners, _around(corners)) if len(corners) >= 3 else _NOTHING
 
