@@ -23,6 +23,9 @@ def command(level: str, start: str, game: Game | None, things: bool, base: tuple
     A thing of type cog with thing flag 0x40 and collide 3 carries on its faces, where it is placed; that one may be
     there at one of its frames is told too. Without its model what is beneath it is unknown.
 
+    LEVEL is a source: a compiled level does not hold the faces of models. Of surfaces alone it answers from Python and
+    C++ (`CompiledLevel.mesh`, runtime/README.md).
+
     START is a thing by number, or a point as x,y,z (put -- before a negative one).
     """
     loaded = load(level, base, game)

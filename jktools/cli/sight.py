@@ -27,6 +27,9 @@ def command(level: str, a: str, b: str, game: Game | None, engine: str, things: 
     In research any solid thing in the way blocks, in openjkdf2 those of type cog. What moves, or what a COG may change,
     gives "varies".
 
+    LEVEL is a source: a compiled level holds neither the faces of models nor what scripts may change. Past walls alone
+    it answers from Python and C++ (`CompiledLevel.mesh`, runtime/README.md).
+
     A and B are things by number, or points as x,y,z (put -- before a negative one).
     """
     loaded = load(level, base, game)
