@@ -19,7 +19,7 @@ import pytest
 
 from jktools._native_file import level_fault, level_parts  # noqa: TID251 (measured alone)
 from jktools.compiler import CompileError, compile_level, open_compiled
-from jktools.compiler.reader import mapping
+from jktools.compiler.mapping import mapping
 from jktools.compiler.slots import wanted
 from jktools.model import Level
 from jktools.source import Source

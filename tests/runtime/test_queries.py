@@ -322,10 +322,7 @@ def blocks_of_the_readme() -> list[str]:
 def test_the_code_of_the_readme_compiles(programs: Path) -> None:
     include, code = blocks_of_the_readme()[0].split("\n", 1)
     source = programs / "readme.cpp"
-    theirs = "void report(const std::string&);\n"
-    theirs += "void use(const std::string&, const jklb::TemplateValue&);\n"
-    theirs += "template <typename V> void upload(V, std::size_t);"
-    source.write_text(f"{include}\n{theirs}\nvoid shown() {{\n{code}\n}}\n")
+    source.write_text(f"{include}\nvoid report(const std::string&);\nvoid shown() {{\n{code}\n}}\n")
     command = [compiler(), "-std=c++17", "-fsyntax-only", "-I", ROOT / "runtime", "-isystem", FLATBUFFERS, source]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
