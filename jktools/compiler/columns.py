@@ -297,6 +297,8 @@ MOTION: Mapping[str, Column] = MappingProxyType(
 )
 
 _SURFACES = "geometry.surface_flags"
+LOOSE = frozenset({"edge"})
+"""Groups of which only some columns repeat together, other ones in other levels."""
 
 LEDGES: Mapping[str, Column] = MappingProxyType(
     {

@@ -135,10 +135,13 @@ def pack(values: Array, column: Column) -> Stored | None:
     return smallest(Stored(values), column)
 
 
-def pack_group(values: Mapping[str, Array], columns: Mapping[str, Column]) -> dict[str, Stored | None]:
-    """Columns of one group: some over one pool of their rows with one index, where that is smaller than each alone.
+def pack_group(
+    values: Mapping[str, Array], columns: Mapping[str, Column], *, loose: bool = False
+) -> dict[str, Stored | None]:
+    """Columns of one group: over one pool of their rows with one index, where that is smaller than each alone.
 
-    Which go together is found by joining the two parts that spare the most, again and again.
+    In a loose group some may go together where not all do: the two parts that spare the most are joined, again and
+    again. That takes some milliseconds a column.
     """
     alone = {name: pack(values[name], columns[name]) for name in columns}
     shaped = {name: _shaped(values[name], columns[name]) for name, stored in alone.items() if stored is not None}
@@ -147,6 +150,11 @@ def pack_group(values: Mapping[str, Array], columns: Mapping[str, Column]) -> di
         for name, stored in alone.items()
         if stored is not None and not stored.count
     ]
+    whole = _joined(tuple(name for part in parts for name in part.names), shaped, columns) if len(parts) > 1 else None
+    if whole is not None and whole.cost <= _WORTH * sum(part.cost for part in parts):
+        return {**alone, **whole.stored}
+    if not loose:
+        return alone
     pairs: dict[tuple[str, ...], _Part | None] = {}
     while len(parts) > 1:
         found = []

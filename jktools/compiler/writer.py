@@ -13,7 +13,7 @@ import numpy as np
 from jktools import __version__
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import seal
-from jktools.compiler.columns import OMISSION, SECTIONS, TEXT, Column, camel_case
+from jktools.compiler.columns import LOOSE, OMISSION, SECTIONS, TEXT, Column, camel_case
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
 from jktools.compiler.grid import grid_of, on_grid
@@ -177,7 +177,7 @@ class _File:
             else:
                 group = {key: each for key, each in columns.items() if each.group == column.group}
                 arrays = {key: each for key in group if not isinstance(each := values[key], Stored)}
-                stored |= pack_group(arrays, group)
+                stored |= pack_group(arrays, group, loose=column.group in LOOSE)
         offsets = {}
         for name, form in stored.items():
             if form is not None and form.is_plain(columns[name]):

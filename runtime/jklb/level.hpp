@@ -134,6 +134,9 @@ private:
         if (!take_symbols())
             return checks.refuse("level.symbols should be up to 127 of up to 255 bytes, each with a zero byte behind it");
         const unsigned beyond = kFirstSymbol + static_cast<unsigned>(symbols_.size());
+        unsigned most = 0;
+        for (std::size_t k = 0; k < start.back(); ++k) most = most < octets[k] ? octets[k] : most;
+        if (most < beyond) return;  // as it is where nothing is escaped
         for (std::size_t i = 0; i < strings_; ++i)
             for (std::size_t k = start[i]; k < start[i + 1]; ++k) {
                 const unsigned code = octets[k];

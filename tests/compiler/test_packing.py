@@ -115,12 +115,13 @@ def test_a_group_falls_into_parts_that_repeat_together() -> None:
         "a": one * 70_000, "b": one * 90_000, "c": two * 110_000, "d": two * 130_000,
         "e": rng.permutation(6000).astype(np.int64) * 600_000,
     }  # fmt: skip
-    stored = pack_group(values, columns)
+    stored = pack_group(values, columns, loose=True)
     index = {name: None if each is None else each.index for name, each in stored.items()}
     assert index["a"] is index["b"] is not None
     assert index["c"] is index["d"] is not None
     assert index["a"] is not index["c"]
     assert index["e"] is None
+    assert all(each is None or each.index is not index["a"] for each in pack_group(values, columns).values())
     for name, column in columns.items():
         each = stored[name]
         assert each is not None
