@@ -23,7 +23,7 @@ from jktools.compiler.passes import Outcome, Progress, run
 from jktools.compiler.reader import ALIGNMENT, FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
 from jktools.compiler.sections import Columns, Strings, parameter_keys
 from jktools.compiler.settings import CompileSettings
-from jktools.compiler.text import coded, symbols_of
+from jktools.compiler.text import written
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.model import Level
@@ -221,8 +221,7 @@ def _strings(builder: flatbuffers.Builder, texts: Sequence[str]) -> int:
 def _text(file: _File, texts: Sequence[str]) -> dict[str, int]:
     """Every string, one after the other: by symbols, or as it is with a zero byte behind it."""
     octets = [text.encode() for text in texts]
-    symbols = [] if file.plain else symbols_of(octets)
-    octets = coded(octets, symbols) if symbols else [each + b"\0" for each in octets]
+    octets, symbols = ([each + b"\0" for each in octets], []) if file.plain else written(octets)
     start = np.concatenate([[0], np.cumsum([len(each) for each in octets], dtype=np.int64)])
     fields = {
         "strings": _offsets(file.builder, []),
