@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import NamedTuple
 
 from jktools.compiler import CompileError, CompileSettings, PassError, compilation
 from jktools.model.resources import Library
-from jktools.session.bugs import file_failed, pass_failed
+from jktools.session.bugs import TRACEBACK_VARIABLE, file_failed
 from jktools.session.levels import read_level
 from jktools.session.settings import Settings
 from jktools.session.write import write_atomically
@@ -93,7 +94,7 @@ def build_one(
     except CompileError as error:
         built.refused.append(str(error))
     except PassError as error:
-        built.bugs.append(pass_failed(error))
+        built.bugs.append(_pass_failed(error))
     except Exception as error:
         built.bugs.append(f"{member.path}: {file_failed(member, error).message}")
     return built
@@ -115,3 +116,10 @@ class _Stopwatch:
     def stop(self) -> Times:
         self.turn("")
         return self.seconds
+
+
+def _pass_failed(error: PassError) -> str:
+    """The sentence on a pass that failed; raises the error itself where a traceback is asked for."""
+    if os.environ.get(TRACEBACK_VARIABLE):
+        raise error
+    return f"{error}; the rest compiles with --keep-going, and {TRACEBACK_VARIABLE}=1 shows where it failed"

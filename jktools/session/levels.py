@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import get_args
 
-from jktools.compiler import CompileSettings, compile_level
-from jktools.compiler.mapping import is_compiled
 from jktools.geometry import Accuracy, SectorMesh
 from jktools.model import Level
 from jktools.model.resources import Kind, Library
@@ -44,6 +42,8 @@ def discover(typed: str, problems: list[str] | None = None, extensions: Collecti
     if problems is None and inside:
         raise InputError(inside[0])
     if not levels and not inside:
+        from jktools.compiler.mapping import is_compiled  # noqa: PLC0415 (a compiler comes with it)
+
         if is_compiled(typed):
             raise InputError(f"cannot read {typed} as a source: it is a compiled level; name what it was compiled from")
         kinds = ", ".join(_KINDS[extension] for extension in extensions if extension in _KINDS)
@@ -125,6 +125,9 @@ def build(
     """
     if accuracy not in ACCURACIES:
         raise ValueError(f"accuracy is {accuracy!r}, but can be {', '.join(ACCURACIES)}")
+    # Who reads levels and lints them pays for no compiler.
+    from jktools.compiler import CompileSettings, compile_level  # noqa: PLC0415
+
     return compile_level(level, CompileSettings(engine, accuracy, cut_anyway=cut_anyway, plain=plain))
 
 

@@ -212,6 +212,12 @@ def test_lint_and_build_import_nothing_heavy() -> None:
         assert not loaded & {"trimesh", "plotly", "dask", "scipy", "rich"}
 
 
+def test_lint_imports_no_compiler() -> None:
+    loaded = imported_by("lint rooms.jkl")
+    assert "jktools.linter" in loaded
+    assert not loaded & {"jktools.compiler", "flatbuffers", "concurrent.futures.process"}
+
+
 def test_a_closed_pipe_is_silent(here: Path) -> None:
     command = f"{sys.executable} -m jktools rules | head -1"
     done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
