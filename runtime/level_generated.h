@@ -5635,7 +5635,9 @@ inline ::flatbuffers::Offset<Motion> CreateMotionDirect(
       run_jump_reach_packed);
 }
 
-/// What walking bodies meet beyond the edges of floors. An edge that is not listed is level: the floor goes on.
+/// What walking bodies meet beyond the edges of floors. An edge of a surface, or a part of one, that is not listed is
+/// level: the floor goes on. Of a thing's edge what is not listed is the thing itself: its own faces go on, level, a step
+/// up or a drop that the body takes attached, or they stop it, all of which its model tells.
 struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef LedgesBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {

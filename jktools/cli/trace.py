@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import click
 
-from jktools.cli.app import Number, base_option, need_matplotlib
+from jktools.cli.options import Number, base_option, engine_option, need_matplotlib
 from jktools.compiler import CompiledLevel
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
@@ -51,9 +51,7 @@ def command() -> None:
     type=click.Path(dir_okay=False, path_type=Path),
     help="OUT.csv, .m or .png; CSV goes to standard output without it.",
 )
-@click.option(
-    "--engine", type=click.Choice([e.value for e in Engine]), default=Engine.RESEARCH.value, show_default=True
-)
+@engine_option("The research document's rules, or those of the decompiled engine.")
 @click.option(
     "--scheme", type=click.Choice([s.value for s in Scheme]), help="The integrator. [default: the profile's own]"
 )

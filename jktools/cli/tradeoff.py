@@ -9,7 +9,8 @@ from pathlib import Path
 
 import click
 
-from jktools.cli.app import Number, base_option, need_matplotlib, note, problem
+from jktools.cli.app import note, problem
+from jktools.cli.options import Number, base_option, engine_option, game_option, need_matplotlib
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
 from jktools.compiler import CHOICES, CompileError, CompileSettings, compile_level
@@ -67,11 +68,8 @@ class Several(click.ParamType[tuple[str, ...]]):
     "-o", "--output", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE",
     help="Plot time against error, one panel a pass: a .png or .svg. Needs the extra plot.",
 )  # fmt: skip
-@click.option(
-    "--engine", type=click.Choice([e.value for e in Engine]), default=Engine.RESEARCH.value, show_default=True,
-    help="Whose word counts for ledges, basins and motion; the rest is the same in both.",
-)  # fmt: skip
-@click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
+@engine_option("Whose word counts for ledges, basins and motion; the rest is the same in both.")
+@game_option
 @base_option
 def command(
     level: str,

@@ -319,21 +319,25 @@ LEDGES: Mapping[str, Column] = MappingProxyType(
             "surface",
             {
                 "surface": Column("i4", index_of=_SURFACES, or_none=True),
-                "corner": Column("u1"),
-                "start": Column("f4"),
-                "end": Column("f4"),
-                "kind": Column("u1", group="class"),
-                "other_kind": Column("u1", group="class"),
-                "below": Column("i4", index_of=_SURFACES, or_none=True),
-                "thing": Column("i4"),
-                "drop_start": Column("f4"),
-                "drop_end": Column("f4"),
-                "traits": Column("u1", group="class"),
-                "carrier": Column("i4", or_none=True, since=2, group="carrier"),
-                "carrier_frame": Column("i4", or_none=True, since=2, group="carrier"),
-                "carrier_face": Column("i4", or_none=True, since=2, group="carrier"),
-                "onto": Column("i4", or_none=True, since=2, group="onto"),
-                "onto_face": Column("i4", or_none=True, since=2, group="onto"),
+                **_grouped(
+                    "edge",
+                    {
+                        "corner": Column("u1"),
+                        "start": Column("f4"),
+                        "end": Column("f4"),
+                        "kind": Column("u1"),
+                        "other_kind": Column("u1"),
+                        "below": Column("i4", index_of=_SURFACES, or_none=True),
+                        "thing": Column("i4"),
+                        "drop_start": Column("f4"),
+                        "drop_end": Column("f4"),
+                        "traits": Column("u1"),
+                        **{
+                            name: Column("i4", or_none=True, since=2)
+                            for name in ("carrier", "carrier_frame", "carrier_face", "onto", "onto_face")
+                        },
+                    },
+                ),
             },
         ),
     }

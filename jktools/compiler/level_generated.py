@@ -8484,7 +8484,9 @@ def MotionEnd(builder):
 
 
 
-# What walking bodies meet beyond the edges of floors. An edge that is not listed is level: the floor goes on.
+# What walking bodies meet beyond the edges of floors. An edge of a surface, or a part of one, that is not listed is
+# level: the floor goes on. Of a thing's edge what is not listed is the thing itself: its own faces go on, level, a step
+# up or a drop that the body takes attached, or they stop it, all of which its model tells.
 class Ledges(object):
     __slots__ = ['_tab']
 

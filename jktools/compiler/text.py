@@ -20,6 +20,9 @@ LONGEST_READ = 255
 ROUNDS = 7
 """Symbols are found by joining parts that stand side by side: so often. More spares no more."""
 
+WORTH = 0.8
+"""Symbols are taken when texts and they have at most this share of the bytes: they cost every reader one more step."""
+
 _Starting = Mapping[int, Sequence[tuple[bytes, int]]]
 """By first byte, the symbols that start so with their codes, the longest first."""
 
@@ -58,6 +61,15 @@ def _side_by_side(texts: Sequence[bytes], starting: _Starting) -> Counter[bytes]
 def _gain(part: bytes, counts: Mapping[bytes, int]) -> int:
     """Bytes that a symbol spares; it stands in the file with a zero byte behind it."""
     return 0 if 0 in part else counts[part] * (len(part) - 1) - len(part) - 1
+
+
+def written(texts: Sequence[bytes]) -> tuple[list[bytes], list[bytes]]:
+    """The texts as a file holds them, and the symbols; where those do not pay none, and a zero byte after each."""
+    plain = [text + b"\0" for text in texts]
+    symbols = symbols_of(texts)
+    short = coded(texts, symbols)
+    size = sum(map(len, short)) + sum(len(each) + 1 for each in symbols)
+    return (short, symbols) if symbols and size <= WORTH * sum(map(len, plain)) else (plain, [])
 
 
 def coded(texts: Iterable[bytes], symbols: Sequence[bytes]) -> list[bytes]:

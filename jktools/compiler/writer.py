@@ -17,12 +17,13 @@ from jktools.compiler.columns import OMISSION, SECTIONS, TEXT, Column, camel_cas
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
 from jktools.compiler.grid import grid_of, on_grid
+from jktools.compiler.mapping import IDENTIFIER
 from jktools.compiler.packing import VECTORS, Stored, pack, pack_group, plain_array
 from jktools.compiler.passes import Outcome, Progress, run
 from jktools.compiler.reader import ALIGNMENT, FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
 from jktools.compiler.sections import Columns, Strings, parameter_keys
 from jktools.compiler.settings import CompileSettings
-from jktools.compiler.text import coded, symbols_of
+from jktools.compiler.text import written
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.model import Level
@@ -130,7 +131,7 @@ def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcome
     offsets["checksum"] = file.vector(np.zeros(hashlib.sha256().digest_size, np.uint8), shared=False)
     offsets["tool_version"] = builder.CreateString(__version__)
     root = _table(builder, "Level", format_major=FORMAT_MAJOR, format_minor=FORMAT_MINOR, **offsets)
-    builder.Finish(root, b"JKLB")
+    builder.Finish(root, IDENTIFIER)
     return seal(builder.Output())
 
 
@@ -220,8 +221,7 @@ def _strings(builder: flatbuffers.Builder, texts: Sequence[str]) -> int:
 def _text(file: _File, texts: Sequence[str]) -> dict[str, int]:
     """Every string, one after the other: by symbols, or as it is with a zero byte behind it."""
     octets = [text.encode() for text in texts]
-    symbols = [] if file.plain else symbols_of(octets)
-    octets = coded(octets, symbols) if symbols else [each + b"\0" for each in octets]
+    octets, symbols = ([each + b"\0" for each in octets], []) if file.plain else written(octets)
     start = np.concatenate([[0], np.cumsum([len(each) for each in octets], dtype=np.int64)])
     fields = {
         "strings": _offsets(file.builder, []),

@@ -66,12 +66,21 @@ void Breaks::of_solids() {
     }
 }
 
-// Where a straight line along the edge passes a triangle's plane.
+// Where a straight line along the edge passes a triangle's plane, in the triangle or as near to it as matters: who goes
+// past it elsewhere is stopped by others.
 void Breaks::pierced(const Strides::Triangle& t, const Point& from) {
     double before = 0, change = 0;
     for (std::size_t k = 0; k < 3; ++k)
         before += t.normal[k] * (from[k] - t.corner[k]), change += t.normal[k] * rim_.along()[k];
-    if (change != 0) add(-before / change);
+    if (change == 0) return;
+    const double at = -before / change;
+    if (!(at > 0 && at < 1)) return;
+    for (std::size_t side = 0; side < 3; ++side) {
+        double inside = -t.side[side];
+        for (std::size_t k = 0; k < 3; ++k) inside += t.inward[side][k] * (from[k] + at * rim_.along()[k]);
+        if (inside < -kSlab) return;
+    }
+    add(at);
 }
 
 // From where to where a triangle goes along the edge.

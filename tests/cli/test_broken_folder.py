@@ -88,6 +88,10 @@ def test_sarif_has_each_finding_at_its_place() -> None:
     assert rows == [(each["code"], each["line"], each["column"]) for each in said]
 
 
+def test_the_grammar_alone_finds_the_same() -> None:
+    assert run("--strict-grammar", "--format", "json").stdout == run("--format", "json").stdout
+
+
 def test_github_and_junit_have_as_many() -> None:
     said = findings()
     lines = everything("github").splitlines()

@@ -13,7 +13,7 @@ from jktools.compiler import CompiledFileError, CompiledLevel, CompileSettings, 
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import seal
 from jktools.compiler.packing import Stored
-from jktools.compiler.reader import NO_SECTION, Section, _layouts
+from jktools.compiler.section import NO_SECTION, Section, layouts
 from jktools.compiler.slots import wanted
 from tests.support.levels import ROOT, TWO_ROOMS, level_of, two_rooms
 from tests.support.range_check import first_fault, text_fault
@@ -61,7 +61,7 @@ def stored(data: bytes) -> Iterator[tuple[str, Mapping[str, Stored]]]:
     parts, steps = level_parts(np.frombuffer(data, np.uint8), wanted())
     parts = parts.reshape(len(steps), -1)
     minor = fb.Level.GetRootAs(data).FormatMinor()  # type: ignore[no-untyped-call]
-    for name, layout in _layouts(minor).items():
+    for name, layout in layouts(minor).items():
         if parts[layout.rows.start, 0] != NO_SECTION:
             yield name, Section(memoryview(data), (parts, steps), layout).stored
 

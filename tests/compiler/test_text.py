@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from jktools.compiler import CompiledLevel, CompileSettings, compile_level
-from jktools.compiler.text import ESCAPE, FIRST, LONGEST_READ, MOST, coded, decoded, symbols_of
+from jktools.compiler.text import ESCAPE, FIRST, LONGEST_READ, MOST, coded, decoded, symbols_of, written
 from tests.support.levels import level_of, two_rooms
 
 NAMES = [
@@ -59,6 +59,8 @@ def test_every_text_comes_back(texts: list[bytes]) -> None:
 def test_symbols_depend_on_the_texts_alone() -> None:
     assert symbols_of(NAMES) == symbols_of(list(NAMES))
     assert symbols_of([b"once"]) == []
+    assert written([b"once", b"\xc3\xa9"]) == ([b"once\0", b"\xc3\xa9\0"], [])
+    assert written(NAMES) == (coded(NAMES, symbols_of(NAMES)), symbols_of(NAMES))
 
 
 def test_a_level_of_many_names_is_coded_unless_it_is_to_be_plain() -> None:

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.diagnostics import Code, Diagnostic, Label, Severity, Subject
+from jktools.diagnostics.wording import miscounted
 from jktools.source import Source, Span
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.document import Heading
@@ -243,7 +244,7 @@ class Context:
         if heading is not None and heading.count != found:
             self.fault(
                 faults.COUNT_MISMATCH, heading.line,
-                f"the heading announces {heading.count} {kind}, but {found} follow",
+                miscounted(heading.count, kind, found),
                 help or f"write {found}, or restore what is missing; the engine refuses the level",
             )  # fmt: skip
 
