@@ -102,11 +102,13 @@ def test_haslos(smithdev: Experiment, engine: str, expected: dict[str, bool]) ->
 
 
 @pytest.mark.parametrize("engine", Engine)
-def test_the_target_itself_does_not_block(smithdev: Experiment, engine: Engine) -> None:
-    """'If any "solid" thing/surface is hit *rather than the target*': what blocks the sight is itself seen."""
-    solid = ("crate", "actor", "item")
-    pairs = [tuple(smithdev.thing(f"{ROOM}/{end} {case}") for end in ("looker", "between")) for case in solid]
-    assert [str(verdict) for verdict in sights(pack_level(), pairs, engine=engine)] == ["visible"] * len(solid)
+def test_who_looks_and_who_is_seen_do_not_block(smithdev: Experiment, engine: Engine) -> None:
+    """'If any "solid" thing/surface is hit *rather than the target*': what blocks the sight is itself seen, and sees."""
+    ways = [
+        (a, b, case) for case in ("crate", "actor", "item") for a, b in (("looker", "between"), ("between", "target"))
+    ]
+    pairs = [tuple(smithdev.thing(f"{ROOM}/{end} {case}") for end in (a, b)) for a, b, case in ways]
+    assert [str(verdict) for verdict in sights(pack_level(), pairs, engine=engine)] == ["visible"] * len(ways)
 
 
 @pytest.mark.parametrize(("engine", "expected"), [(Engine.RESEARCH, SEEN), (Engine.OPENJKDF2, BY_THE_ENGINE)])
