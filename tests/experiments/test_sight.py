@@ -103,7 +103,7 @@ def test_haslos(smithdev: Experiment, engine: str, expected: dict[str, bool]) ->
 
 @pytest.mark.parametrize("engine", Engine)
 def test_who_looks_and_who_is_seen_do_not_block(smithdev: Experiment, engine: Engine) -> None:
-    """'If any "solid" thing/surface is hit *rather than the target*': what blocks the sight is itself seen, and sees."""
+    """'If any "solid" thing/surface is hit *rather than the target*': what blocks is itself seen, and sees."""
     ways = [
         (a, b, case) for case in ("crate", "actor", "item") for a, b in (("looker", "between"), ("between", "target"))
     ]
