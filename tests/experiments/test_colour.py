@@ -154,7 +154,9 @@ def test_tint(smithdev: Experiment) -> None:
     """From 0 to 2: what lies outside does as the ends do, and a tint of all channels does nothing."""
     assert GOLDEN["color"]["max_tint"] == 2.0
     assert picture(smithdev, call(tint=(-0.5, 0, 0))) == list(MEASURED)
-    assert picture(smithdev, call(tint=(2.5, 0, 0))) == picture(smithdev, call(tint=(2, 0, 0)))
+    # Full colours show no more than 2 anyway: of the palette's dark reds a larger factor would make brighter ones.
+    for outside, end in ((-0.5, 0), (2.5, 2)):
+        assert (after(smithdev, call(tint=(outside, 0, 0))) == after(smithdev, call(tint=(end, 0, 0)))).all()
     assert shown(smithdev, call(tint=(2, 0, 0)), WHITE) == (255, 0, 0)
     rests = [shown(smithdev, call(tint=(x, 0, 0)), WHITE)[1] for x in (0.5, 1, 1.5, 2)]
     assert np.abs(np.diff([255, *rests]) + 255 / 4).max() <= 255 / 63
@@ -181,7 +183,7 @@ def test_brightness(smithdev: Experiment) -> None:
     low, high = GOLDEN["color"]["brightness_range"]
     assert (low, high) == (0.0, 1.0)
     assert picture(smithdev, call(brightness=-0.5)) == [BLACK] * len(MEASURED)
-    assert picture(smithdev, call(brightness=1.5)) == list(MEASURED)
+    assert (after(smithdev, call(brightness=1.5)) == after(smithdev, call())).all(), "nothing dark becomes brighter"
     for part in (0.25, 0.5, 0.75):
         assert np.abs(np.array(shown(smithdev, call(brightness=part), WHITE)) - 255 * part).max() <= STEP_565 / 2 + 0.5
 

@@ -18,9 +18,10 @@ from fixtures.smithdev.chambers.sight_room import CASES
 from fixtures.smithdev.pack import GOB
 from jktools.engine import sight as rules
 from jktools.engine.profile import Engine
+from jktools.facts.sights import sights
 from jktools.geometry.mesh import SectorMesh
 from tests.experiments.conftest import Compile
-from tests.experiments.play import Play
+from tests.experiments.play import Play, pack_level
 from tests.experiments.smithdev import GOLDEN, Experiment
 
 ROOM = "sight_room"
@@ -98,6 +99,16 @@ def test_haslos(smithdev: Experiment, engine: str, expected: dict[str, bool]) ->
     verdicts = subprocess.run(asked, check=True, capture_output=True, text=True, timeout=300).stdout.splitlines()
     answers = {case: {"visible": True, "not visible": False}[v] for case, v in zip(CASES, verdicts, strict=True)}
     assert answers == expected
+
+
+@pytest.mark.parametrize("engine", Engine)
+def test_who_looks_and_who_is_seen_do_not_block(smithdev: Experiment, engine: Engine) -> None:
+    """'If any "solid" thing/surface is hit *rather than the target*': what blocks is itself seen, and sees."""
+    ways = [
+        (a, b, case) for case in ("crate", "actor", "item") for a, b in (("looker", "between"), ("between", "target"))
+    ]
+    pairs = [tuple(smithdev.thing(f"{ROOM}/{end} {case}") for end in (a, b)) for a, b, case in ways]
+    assert [str(verdict) for verdict in sights(pack_level(), pairs, engine=engine)] == ["visible"] * len(ways)
 
 
 @pytest.mark.parametrize(("engine", "expected"), [(Engine.RESEARCH, SEEN), (Engine.OPENJKDF2, BY_THE_ENGINE)])
