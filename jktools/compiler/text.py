@@ -64,7 +64,7 @@ def _gain(part: bytes, counts: Mapping[bytes, int]) -> int:
 
 
 def written(texts: Sequence[bytes]) -> tuple[list[bytes], list[bytes]]:
-    """The texts as a file holds them, and the symbols; where those do not pay none, and a zero byte behind each text."""
+    """The texts as a file holds them, and the symbols; where those do not pay none, and a zero byte after each."""
     plain = [text + b"\0" for text in texts]
     symbols = symbols_of(texts)
     short = coded(texts, symbols)

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from jktools.cli import main
-from jktools.compiler import CompiledFileError, CompiledLevel, compile_level
+from jktools.compiler import CompiledFileError, CompiledLevel, CompileSettings, compile_level
 from jktools.session import checking, compiling
 from jktools.source import Member
 from tests.support.levels import TWO_ROOMS, level_of, two_rooms
@@ -122,8 +122,8 @@ def test_a_name_that_is_no_utf8(here: Path, capsys: pytest.CaptureFixture[str]) 
 
 
 def test_a_damaged_text_in_a_compiled_level() -> None:
-    data = bytearray(compile_level(level_of(TWO_ROOMS)))
-    at = data.find(b"wind.wav")
+    data = bytearray(compile_level(level_of(TWO_ROOMS), CompileSettings(plain=True)))
+    at = data.index(b"wind.wav")
     data[at] = 0xFF
     with pytest.raises(CompiledFileError, match="the file is damaged"):
         _ = CompiledLevel(bytes(data)).strings
