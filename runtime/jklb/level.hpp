@@ -1,6 +1,7 @@
 // A compiled level: opened, checked once, and read in place.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -134,6 +135,9 @@ private:
         if (!take_symbols())
             return checks.refuse("level.symbols should be up to 127 of up to 255 bytes, each with a zero byte behind it");
         const unsigned beyond = kFirstSymbol + static_cast<unsigned>(symbols_.size());
+        unsigned greatest = 0;  // spares most files the long look
+        for (std::size_t k = 0; k < start.back(); ++k) greatest = std::max<unsigned>(greatest, octets[k]);
+        if (greatest < beyond) return;
         for (std::size_t i = 0; i < strings_; ++i)
             for (std::size_t k = start[i]; k < start[i + 1]; ++k) {
                 const unsigned code = octets[k];
