@@ -5730,7 +5730,7 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint32_t> *body_name() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_NAME);
   }
-  /// The intervals of each body, by surface, corner and start; those of things first.
+  /// The intervals of each body: of things by thing, frame, face, corner, start; then by surface, corner, start.
   const ::flatbuffers::Vector<uint32_t> *body_ledge_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_BODY_LEDGE_START);
   }

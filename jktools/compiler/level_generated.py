@@ -8761,7 +8761,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
         return o == 0
 
-    # The intervals of each body, by surface, corner and start; those of things first.
+    # The intervals of each body: of things by thing, frame, face, corner, start; then by surface, corner, start.
     # Ledges
     def BodyLedgeStart(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))

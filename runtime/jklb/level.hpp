@@ -1,6 +1,7 @@
 // A compiled level: opened, checked once, and read in place.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <optional>
