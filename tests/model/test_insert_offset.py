@@ -23,7 +23,8 @@ def test_file_then_table_then_unknown(tmp_path: Path, monkeypatch: pytest.Monkey
     assert block is not None
     assert (block.z, block.known, block.origin) == (float(np.float32(0.12)), False, "mod.gob!3do/block.3do")
     assert kyle is not None
-    assert (kyle.x, kyle.y, kyle.z, kyle.known) == (-5e-05, 0, 0.120114, True)
+    single = tuple(np.array((-5e-05, 0, 0.120114), np.float32).tolist())
+    assert ((kyle.x, kyle.y, kyle.z), kyle.known) == (single, True), "as the file would say it"
     assert insert_offset(files, "tx.3do") is None
     assert insert_offset(files, "bad.3do") is None
 
