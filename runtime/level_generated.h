@@ -577,7 +577,7 @@ struct Pass FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::String *note() const {
     return GetPointer<const ::flatbuffers::String *>(VT_NOTE);
   }
-  /// Whether it did not run to its end, by a fault of jktools; its section is then absent. Since 1.2.
+  /// Whether it did not run to its end, by a fault of jktools; its section is then absent. Since 1.3.
   bool failed() const {
     return GetField<uint8_t>(VT_FAILED, 0) != 0;
   }

@@ -721,7 +721,7 @@ class Pass(object):
             return self._tab.String(o + self._tab.Pos)
         return None
 
-    # Whether it did not run to its end, by a fault of jktools; its section is then absent. Since 1.2.
+    # Whether it did not run to its end, by a fault of jktools; its section is then absent. Since 1.3.
     # Pass
     def Failed(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))

@@ -15,7 +15,8 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.compiler.columns import RESOURCES
-from jktools.compiler.reader import CompiledLevel, Section
+from jktools.compiler.reader import CompiledLevel
+from jktools.compiler.section import Section
 
 Translate = Callable[[str, int], Hashable]
 """From a kind of record and a number of the one level to the same of the other; what has none stays apart."""

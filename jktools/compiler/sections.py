@@ -19,7 +19,7 @@ from jktools.compiler.settings import CompileSettings
 from jktools.facts import LevelFacts
 from jktools.geometry import compressed
 from jktools.model import Level
-from jktools.model.templates import Resolved, Setting
+from jktools.model.resolved import Resolved, Setting
 from jktools.syntax.jkl import Parameters
 from jktools.syntax.template.parameters import MOVES, PARAMETERS, TYPES
 from jktools.syntax.template.values import ValueKind

@@ -17,6 +17,7 @@ from jktools.compiler.columns import LOOSE, OMISSION, SECTIONS, TEXT, Column, ca
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
 from jktools.compiler.grid import grid_of, on_grid
+from jktools.compiler.mapping import IDENTIFIER
 from jktools.compiler.packing import VECTORS, Stored, pack, pack_group, plain_array
 from jktools.compiler.passes import Outcome, Progress, run
 from jktools.compiler.reader import ALIGNMENT, FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
@@ -130,7 +131,7 @@ def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcome
     offsets["checksum"] = file.vector(np.zeros(hashlib.sha256().digest_size, np.uint8), shared=False)
     offsets["tool_version"] = builder.CreateString(__version__)
     root = _table(builder, "Level", format_major=FORMAT_MAJOR, format_minor=FORMAT_MINOR, **offsets)
-    builder.Finish(root, b"JKLB")
+    builder.Finish(root, IDENTIFIER)
     return seal(builder.Output())
 
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import get_args
 
 from jktools.compiler import CompiledFileError, CompiledLevel, CompileSettings, compile_level, open_compiled
+from jktools.compiler.mapping import is_compiled
 from jktools.engine.profile import Engine
 from jktools.geometry import Accuracy
 from jktools.session.levels import load
-from jktools.session.opening import is_compiled
 from jktools.session.settings import Game
 
 

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import get_args
 
 from jktools.compiler import CompileSettings, compile_level
+from jktools.compiler.mapping import is_compiled
 from jktools.geometry import Accuracy, SectorMesh
 from jktools.model import Level
 from jktools.model.resources import Kind, Library
@@ -43,6 +44,8 @@ def discover(typed: str, problems: list[str] | None = None, extensions: Collecti
     if problems is None and inside:
         raise InputError(inside[0])
     if not levels and not inside:
+        if is_compiled(typed):
+            raise InputError(f"cannot read {typed} as a source: it is a compiled level; name what it was compiled from")
         kinds = ", ".join(_KINDS[extension] for extension in extensions if extension in _KINDS)
         raise InputError(f"nothing to read in {typed}: expected {kinds} or a folder or pack that holds one")
     if problems is not None:

@@ -137,7 +137,7 @@ def test_inputs_are_told(here: Path, capsys: pytest.CaptureFixture[str]) -> None
         == f"its inputs are what they were: 3 files, and {len(level.missing_inputs)} names that none has"
     )
     assert main(["inspect", "mod.jklb"]) == 0
-    assert f"  and from 2 other files; {len(level.missing_inputs)} more were looked for" in capsys.readouterr().out
+    assert f"  and from 2 other files; {len(level.missing_inputs)} more looked for" in capsys.readouterr().out
     assert main(["inspect", "mod.jklb", "--inputs"]) == 0
     shown = capsys.readouterr().out
     assert f"    {hashlib.sha256(SCRIPT).hexdigest()}  cog/door.cog\n" in shown

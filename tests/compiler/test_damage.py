@@ -13,11 +13,13 @@ from jktools.compiler import CompiledFileError, CompiledLevel, CompileSettings, 
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import seal
 from jktools.compiler.packing import Stored
-from jktools.compiler.reader import NO_SECTION, Section, _layouts
+from jktools.compiler.section import NO_SECTION, Section, layouts
 from jktools.compiler.slots import wanted
 from tests.support.levels import ROOT, TWO_ROOMS, level_of, two_rooms
 from tests.support.range_check import first_fault, text_fault
 
+PLAIN = compile_level(level_of(TWO_ROOMS), CompileSettings(plain=True))
+"""With texts as they are, each with a zero byte behind it."""
 FILES = {
     "balanced": compile_level(level_of(TWO_ROOMS)),
     "fast": compile_level(level_of(TWO_ROOMS), CompileSettings(accuracy="fast", cut_anyway=True)),
@@ -59,7 +61,7 @@ def stored(data: bytes) -> Iterator[tuple[str, Mapping[str, Stored]]]:
     parts, steps = level_parts(np.frombuffer(data, np.uint8), wanted())
     parts = parts.reshape(len(steps), -1)
     minor = fb.Level.GetRootAs(data).FormatMinor()  # type: ignore[no-untyped-call]
-    for name, layout in _layouts(minor).items():
+    for name, layout in layouts(minor).items():
         if parts[layout.rows.start, 0] != NO_SECTION:
             yield name, Section(memoryview(data), (parts, steps), layout).stored
 
@@ -164,7 +166,7 @@ def test_a_column_cannot_claim_more_rows_than_the_file_has_bytes() -> None:
 
 
 def test_a_newer_minor_version_that_cannot_be_read_says_so() -> None:
-    data = bytearray(FILES["balanced"])
+    data = bytearray(PLAIN)
     table = fb.Level.GetRootAs(data)._tab  # type: ignore[no-untyped-call]
     minor = table.Offset(6) + table.Pos
     data[minor] = 9
@@ -180,7 +182,7 @@ def test_the_command_line_refuses_a_damaged_file(
     tmp_path_factory: pytest.TempPathFactory, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path_factory.mktemp("damage") / "x.jklb"
-    data = bytearray(FILES["balanced"])
+    data = bytearray(PLAIN)
     data[data.index(b"wind.wav\0") + 8] = 1
     file.write_bytes(seal(data))
     for words in (["inspect", str(file)], ["inspect", str(file), "--verify"], ["diff", str(file), str(file)]):

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from jktools.compiler import CompiledLevel, compile_level
+from jktools.compiler import CompiledLevel, CompileSettings, compile_level
 from jktools.compiler.text import ESCAPE, FIRST, LONGEST_READ, MOST, coded, decoded, symbols_of, written
 from tests.support.levels import level_of, two_rooms
 
@@ -63,9 +63,10 @@ def test_symbols_depend_on_the_texts_alone() -> None:
     assert written(NAMES) == (coded(NAMES, symbols_of(NAMES)), symbols_of(NAMES))
 
 
-def test_a_level_of_many_names_is_coded_and_one_of_few_is_not() -> None:
+def test_a_level_of_many_names_is_coded_unless_it_is_to_be_plain() -> None:
     names = [f"plänkel_{i:03}.wav" for i in range(120)]
     many = CompiledLevel(compile_level(level_of(two_rooms(f"World sounds {len(names)}", *names))))
     assert set(names) <= set(many.strings)
     assert many._texts.symbols.size
-    assert not CompiledLevel(compile_level(level_of(two_rooms())))._texts.symbols.size
+    plain = CompiledLevel(compile_level(level_of(two_rooms()), CompileSettings(plain=True)))
+    assert not plain._texts.symbols.size

@@ -11,7 +11,7 @@ from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK701", "inescapable-basin", severity=Severity.WARNING, since="0.2.0")
+@rule("JK701", "inescapable-basin", severity=Severity.WARNING, since="0.1.0")
 def inescapable_basin(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report floors that a player can come down to, and from which no step, jump, lift, water or script leads out.
 
