@@ -10,13 +10,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from math import inf
 from typing import NamedTuple
 
 from jktools.facts.cog import ranges
 from jktools.facts.cog.lowering import Op
 from jktools.facts.cog.rates import LEAST_DELAY, PULSE, TIMER, TRIGGER, Site
 from jktools.facts.cog.repeats import NEVER, VIEWS, Counter, Repeats
-from jktools.facts.hotspots.clocks import turns_off_own_pulse, turns_off_pulse_of_sender
+from jktools.facts.hotspots.clocks import calls_off, turns_off_in_each_run
+from jktools.facts.hotspots.countdown import most_beats
 from jktools.facts.hotspots.runners import Runner
 from jktools.facts.hotspots.traces import Leaf, leaves
 from jktools.facts.reachability import OF_STATIC
@@ -83,8 +85,8 @@ class Clock:
     set_by: list[Sending] = field(default_factory=list)
     armed: bool = False
     """Whether the script's flags set it from the start."""
-    once: bool = False
-    """Whether it comes once for each time that it is set."""
+    times: float = float("inf")
+    """How often it comes at most for each time that it is set."""
 
 
 @dataclass(slots=True)
@@ -163,9 +165,9 @@ class Network:
             for site in _sites(sender):
                 for found in self._sent(sender, site):
                     pending.append(found)
-        for clock in self.clocks.values():
-            clock.once = clock.kind == "timer" or (clock.kind == "pulse" and self._turned_off(clock))
         self._spread()
+        for clock in self.clocks.values():
+            clock.times = self._times(clock)
 
     def _sent(self, sender: Node, site: Site) -> Iterator[Node]:
         """Add what a call sends; the handlers that were not known to run before."""
@@ -259,11 +261,38 @@ class Network:
         own = {site.verb.name for site in node.runner.analysis.rates.sites} & _CLOCKS.keys()
         return message.id not in (PULSE, TIMER) or not own
 
-    def _turned_off(self, clock: Clock) -> bool:
+    def _times(self, clock: Clock) -> float:
+        """How often a clock comes at most for each time that it is set."""
+        if clock.kind != "pulse":
+            return 1.0 if clock.kind == "timer" else inf
+        thing = clock.owner if isinstance(clock.owner, int) else None
         hearing = [node for node, inputs in self.inputs.items() if any(each is clock for each, _ in inputs.clocks)]
-        if isinstance(clock.owner, Runner):
-            return all(turns_off_own_pulse(node.runner.analysis, node.label) for node in hearing)
-        return all(turns_off_pulse_of_sender(node.runner.analysis, node.label, clock.owner) for node in hearing)
+        off = {node: calls_off(node.runner.analysis, node.label, thing) for node in hearing}
+        if all(turns_off_in_each_run(node.runner.analysis, node.label, off[node]) for node in hearing):
+            return 1.0
+        if len(hearing) != 1:
+            return inf
+        (node,) = hearing
+        all_its = self._is_run_by(node, clock)
+        if thing is not None and not all_its:
+            return inf  # what another sender counts down is not its own pulse
+        own = [s.site.call for s in clock.set_by if s.sender.runner is node.runner]
+        alone = not clock.armed and len(own) == len(clock.set_by)
+        once = all_its and self._is_set_once(clock)
+        return most_beats(node.runner.analysis, node.label, off[node], own, alone=alone, once=once)
+
+    def _is_run_by(self, node: Node, clock: Clock) -> bool:
+        """Whether nothing but a clock makes a handler run."""
+        inputs = self.inputs[node]
+        return not (inputs.events or inputs.messages or inputs.open) and all(each is clock for each, _ in inputs.clocks)
+
+    def _is_set_once(self, clock: Clock) -> bool:
+        if clock.armed or len(clock.set_by) != 1:
+            return clock.armed and not clock.set_by
+        (sending,) = clock.set_by
+        inputs, passes = self.inputs[sending.sender], self.passes(sending.sender, sending.site)
+        more = inputs.outside or inputs.open or inputs.clocks or inputs.messages or inputs.events > 1
+        return not (more or passes.per_run > 1 or passes.per_second or passes.per_interruption)
 
     # ---- messages
 
