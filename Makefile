@@ -48,7 +48,7 @@ bench: $(VENV)/built
 # The tests that grow with the time they are given: every corpus level, thousands of random faults, a million queries.
 fuzz: $(VENV)/built
 	JKTOOLS_FUZZ=1 pytest tests/syntax/test_differential.py tests/geometry/test_occluders.py tests/facts/test_sight_bounds.py \
-	  tests/runtime
+	  tests/facts/test_cog_bounds.py tests/runtime
 	python -m benchmarks.sight_disagreement --queries 1000000
 	python -m benchmarks.sees_disagreement --queries 1000000
 	python -m benchmarks.drop_disagreement --queries 1000000

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -14,25 +14,15 @@ import numpy.typing as npt
 
 from benchmarks.sight_queries import Queries, near, points, things, through_edges
 from jktools.compiler import CompiledLevel
-from jktools.geometry import Ending
 from jktools.model import Level
 
 Array = npt.NDArray[Any]
 
-QUERY = np.dtype(
-    [
-        ("kind", "<u4"),
-        ("sector", "<i4"),
-        ("other", "<i4"),
-        ("unused", "<i4"),
-        ("origin", "<f8", 3),
-        ("target", "<f8", 3),
-    ]
-)
-ANSWER = np.dtype([("first", "<i4"), ("second", "<i4"), ("third", "<i4"), ("unused", "<i4"), ("distance", "<f8")])
+QUERY = np.dtype([("kind", "<u4"), ("which", "<i4", 5), ("origin", "<f8", 3), ("target", "<f8", 3)])
+ANSWER = np.dtype([("whole", "<i4", 8), ("real", "<f8", 6)])
 """The records Query and Answer of runtime/sample/jklb_query.cpp."""
 
-SIGHT, DROP, LOCATE, VISIBLE = range(4)
+SIGHT, DROP, LOCATE, VISIBLE, LEDGE, LEDGE_OF_THING, LEAVE, BASIN, BASIN_FLOOR = range(9)
 LIMITS = (np.inf, np.inf, 1.0, 0.25)
 """JKU: the greatest distances of falls asked for, in turn."""
 
@@ -48,8 +38,7 @@ def sight_of(compiled: CompiledLevel, asked: Queries, threads: int = 0) -> Asked
     """Segments."""
     queries, answers = _records(SIGHT, asked)
     queries["target"] = asked.targets
-    found = compiled.mesh.sight(*asked, threads=threads)
-    answers["first"], answers["second"], answers["third"] = found
+    _fill(answers["whole"], compiled.mesh.sight(*asked, threads=threads))
     return Asked(queries, answers)
 
 
@@ -59,8 +48,8 @@ def drop_of(compiled: CompiledLevel, asked: Queries, threads: int = 0) -> Asked:
     limits = np.resize(LIMITS, len(queries))
     queries["target"][:, 0] = limits
     found = compiled.mesh.drop(asked.origins, asked.sectors, limits, threads=threads)
-    answers["first"], answers["second"], answers["third"] = found.ending, found.met, found.sector
-    answers["distance"] = found.distance
+    _fill(answers["whole"], (found.ending, found.met, found.sector))
+    answers["real"][:, 0] = found.distance
     return Asked(queries, answers)
 
 
@@ -68,7 +57,7 @@ def location_of(compiled: CompiledLevel, asked: Queries, threads: int = 0) -> As
     """The targets."""
     queries, answers = _records(LOCATE, asked)
     queries["origin"] = asked.targets
-    answers["first"], answers["second"], answers["third"] = compiled.mesh.location(asked.targets, threads=threads)
+    _fill(answers["whole"], compiled.mesh.location(asked.targets, threads=threads))
     return Asked(queries, answers)
 
 
@@ -76,15 +65,21 @@ def visible_of(compiled: CompiledLevel, asked: Queries, rng: np.random.Generator
     """Pairs of sectors."""
     queries, answers = _records(VISIBLE, asked)
     matrix = compiled.visible_sectors
-    queries["other"] = rng.integers(len(compiled.geometry.sector_flags), size=len(queries))
-    answers["first"] = True if matrix is None else matrix[queries["sector"], queries["other"]]
+    others = rng.integers(len(compiled.geometry.sector_flags), size=len(queries))
+    queries["which"][:, 1] = others
+    answers["whole"][:, 0] = True if matrix is None else matrix[asked.sectors, others]
     return Asked(queries, answers)
 
 
 def _records(kind: int, asked: Queries) -> tuple[Array, Array]:
     queries = np.zeros(len(asked.sectors), QUERY)
-    queries["kind"], queries["sector"], queries["origin"] = kind, asked.sectors, asked.origins
+    queries["kind"], queries["which"][:, 0], queries["origin"] = kind, asked.sectors, asked.origins
     return queries, np.zeros(len(queries), ANSWER)
+
+
+def _fill(whole: Array, columns: Iterable[Array]) -> None:
+    for i, column in enumerate(columns):
+        whole[:, i] = column
 
 
 Maker = Callable[[Level, int, np.random.Generator], Queries]
@@ -151,8 +146,8 @@ def ask(program: Path, level: Path, queries: Array) -> tuple[Array, float]:
 
 
 def differing(one: Array, other: Array) -> npt.NDArray[np.intp]:
-    """Rows that differ in any bit; falls that end in what is not known have no distance."""
-    whole = np.any([one[name] != other[name] for name in ("first", "second", "third")], axis=0)
-    unknown = (one["first"] == Ending.UNKNOWN) & np.isnan(one["distance"]) & np.isnan(other["distance"])
-    bits = one["distance"].copy().view(np.uint64) != other["distance"].copy().view(np.uint64)
-    return np.flatnonzero(whole | (bits & ~unknown))
+    """Rows that differ in any bit; one that is no number is like any other."""
+    bits = [answers["real"].copy().view(np.uint64) for answers in (one, other)]
+    nowhere = np.isnan(one["real"]) & np.isnan(other["real"])
+    real = ((bits[0] != bits[1]) & ~nowhere).any(axis=1)
+    return np.flatnonzero((one["whole"] != other["whole"]).any(axis=1) | real)

@@ -72,6 +72,12 @@ struct LedgesBuilder;
 struct Basins;
 struct BasinsBuilder;
 
+struct Models;
+struct ModelsBuilder;
+
+struct Files;
+struct FilesBuilder;
+
 struct Level;
 struct LevelBuilder;
 
@@ -530,7 +536,8 @@ struct Pass FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
     VT_NAME = 4,
     VT_RAN = 6,
-    VT_NOTE = 8
+    VT_NOTE = 8,
+    VT_FAILED = 10
   };
   /// The section that the pass computes.
   const ::flatbuffers::String *name() const {
@@ -544,6 +551,10 @@ struct Pass FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::String *note() const {
     return GetPointer<const ::flatbuffers::String *>(VT_NOTE);
   }
+  /// Whether it did not run to its end, by a fault of jktools; its section is then absent. Since 1.2.
+  bool failed() const {
+    return GetField<uint8_t>(VT_FAILED, 0) != 0;
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -552,6 +563,7 @@ struct Pass FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            VerifyField<uint8_t>(verifier, VT_RAN, 1) &&
            VerifyOffset(verifier, VT_NOTE) &&
            verifier.VerifyString(note()) &&
+           VerifyField<uint8_t>(verifier, VT_FAILED, 1) &&
            verifier.EndTable();
   }
 };
@@ -569,6 +581,9 @@ struct PassBuilder {
   void add_note(::flatbuffers::Offset<::flatbuffers::String> note) {
     fbb_.AddOffset(Pass::VT_NOTE, note);
   }
+  void add_failed(bool failed) {
+    fbb_.AddElement<uint8_t>(Pass::VT_FAILED, static_cast<uint8_t>(failed), 0);
+  }
   explicit PassBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -585,10 +600,12 @@ inline ::flatbuffers::Offset<Pass> CreatePass(
     ::flatbuffers::FlatBufferBuilder &_fbb,
     ::flatbuffers::Offset<::flatbuffers::String> name = 0,
     bool ran = false,
-    ::flatbuffers::Offset<::flatbuffers::String> note = 0) {
+    ::flatbuffers::Offset<::flatbuffers::String> note = 0,
+    bool failed = false) {
   PassBuilder builder_(_fbb);
   builder_.add_note(note);
   builder_.add_name(name);
+  builder_.add_failed(failed);
   builder_.add_ran(ran);
   return builder_.Finish();
 }
@@ -597,14 +614,16 @@ inline ::flatbuffers::Offset<Pass> CreatePassDirect(
     ::flatbuffers::FlatBufferBuilder &_fbb,
     const char *name = nullptr,
     bool ran = false,
-    const char *note = nullptr) {
+    const char *note = nullptr,
+    bool failed = false) {
   auto name__ = name ? _fbb.CreateString(name) : 0;
   auto note__ = note ? _fbb.CreateString(note) : 0;
   return jktools::CreatePass(
       _fbb,
       name__,
       ran,
-      note__);
+      note__,
+      failed);
 }
 
 /// The level's header lines as written.
@@ -6450,6 +6469,318 @@ inline ::flatbuffers::Offset<Basins> CreateBasinsDirect(
       left_packed);
 }
 
+/// The models of the templates that are kept, as far as their files are at hand. Since 1.2.
+struct Models FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef ModelsBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_NAME = 4,
+    VT_INSERT_OFFSET = 6,
+    VT_RADIUS = 8,
+    VT_KNOWN = 10,
+    VT_NAME_PACKED = 12,
+    VT_INSERT_OFFSET_PACKED = 14,
+    VT_RADIUS_PACKED = 16,
+    VT_KNOWN_PACKED = 18
+  };
+  /// The 3DO file, in lower case.
+  const ::flatbuffers::Vector<uint32_t> *name() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_NAME);
+  }
+  /// x y z, JKU: where its origin lies from the place of its thing. A body hovers over floors by its z.
+  const ::flatbuffers::Vector<float> *insert_offset() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_INSERT_OFFSET);
+  }
+  /// As written, JKU; NaN where the file is not at hand.
+  const ::flatbuffers::Vector<float> *radius() const {
+    return GetPointer<const ::flatbuffers::Vector<float> *>(VT_RADIUS);
+  }
+  /// 1 for the insert offset of a model of the game's own that jktools knows, whose file was not at hand; else 0.
+  const ::flatbuffers::Vector<uint8_t> *known() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_KNOWN);
+  }
+  /// `name`, packed.
+  const jktools::Packed *name_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_NAME_PACKED);
+  }
+  /// `insert_offset`, packed.
+  const jktools::Packed *insert_offset_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_INSERT_OFFSET_PACKED);
+  }
+  /// `radius`, packed.
+  const jktools::Packed *radius_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_RADIUS_PACKED);
+  }
+  /// `known`, packed.
+  const jktools::Packed *known_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_KNOWN_PACKED);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_NAME) &&
+           verifier.VerifyVector(name()) &&
+           VerifyOffset(verifier, VT_INSERT_OFFSET) &&
+           verifier.VerifyVector(insert_offset()) &&
+           VerifyOffset(verifier, VT_RADIUS) &&
+           verifier.VerifyVector(radius()) &&
+           VerifyOffset(verifier, VT_KNOWN) &&
+           verifier.VerifyVector(known()) &&
+           VerifyOffset(verifier, VT_NAME_PACKED) &&
+           verifier.VerifyTable(name_packed()) &&
+           VerifyOffset(verifier, VT_INSERT_OFFSET_PACKED) &&
+           verifier.VerifyTable(insert_offset_packed()) &&
+           VerifyOffset(verifier, VT_RADIUS_PACKED) &&
+           verifier.VerifyTable(radius_packed()) &&
+           VerifyOffset(verifier, VT_KNOWN_PACKED) &&
+           verifier.VerifyTable(known_packed()) &&
+           verifier.EndTable();
+  }
+};
+
+struct ModelsBuilder {
+  typedef Models Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_name(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> name) {
+    fbb_.AddOffset(Models::VT_NAME, name);
+  }
+  void add_insert_offset(::flatbuffers::Offset<::flatbuffers::Vector<float>> insert_offset) {
+    fbb_.AddOffset(Models::VT_INSERT_OFFSET, insert_offset);
+  }
+  void add_radius(::flatbuffers::Offset<::flatbuffers::Vector<float>> radius) {
+    fbb_.AddOffset(Models::VT_RADIUS, radius);
+  }
+  void add_known(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> known) {
+    fbb_.AddOffset(Models::VT_KNOWN, known);
+  }
+  void add_name_packed(::flatbuffers::Offset<jktools::Packed> name_packed) {
+    fbb_.AddOffset(Models::VT_NAME_PACKED, name_packed);
+  }
+  void add_insert_offset_packed(::flatbuffers::Offset<jktools::Packed> insert_offset_packed) {
+    fbb_.AddOffset(Models::VT_INSERT_OFFSET_PACKED, insert_offset_packed);
+  }
+  void add_radius_packed(::flatbuffers::Offset<jktools::Packed> radius_packed) {
+    fbb_.AddOffset(Models::VT_RADIUS_PACKED, radius_packed);
+  }
+  void add_known_packed(::flatbuffers::Offset<jktools::Packed> known_packed) {
+    fbb_.AddOffset(Models::VT_KNOWN_PACKED, known_packed);
+  }
+  explicit ModelsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Models> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Models>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Models> CreateModels(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> name = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> insert_offset = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<float>> radius = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> known = 0,
+    ::flatbuffers::Offset<jktools::Packed> name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> insert_offset_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> radius_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> known_packed = 0) {
+  ModelsBuilder builder_(_fbb);
+  builder_.add_known_packed(known_packed);
+  builder_.add_radius_packed(radius_packed);
+  builder_.add_insert_offset_packed(insert_offset_packed);
+  builder_.add_name_packed(name_packed);
+  builder_.add_known(known);
+  builder_.add_radius(radius);
+  builder_.add_insert_offset(insert_offset);
+  builder_.add_name(name);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Models> CreateModelsDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<uint32_t> *name = nullptr,
+    const std::vector<float> *insert_offset = nullptr,
+    const std::vector<float> *radius = nullptr,
+    const std::vector<uint8_t> *known = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> insert_offset_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> radius_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> known_packed = 0) {
+  auto name__ = name ? _fbb.CreateVector<uint32_t>(*name) : 0;
+  auto insert_offset__ = insert_offset ? _fbb.CreateVector<float>(*insert_offset) : 0;
+  auto radius__ = radius ? _fbb.CreateVector<float>(*radius) : 0;
+  auto known__ = known ? _fbb.CreateVector<uint8_t>(*known) : 0;
+  return jktools::CreateModels(
+      _fbb,
+      name__,
+      insert_offset__,
+      radius__,
+      known__,
+      name_packed,
+      insert_offset_packed,
+      radius_packed,
+      known_packed);
+}
+
+/// The other files that the level was compiled from, and the names that none has: where such a file is added, the level may
+/// become another. Sorted by folder and name. Since 1.2.
+struct Files FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
+  typedef FilesBuilder Builder;
+  enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
+    VT_NAME = 4,
+    VT_FOLDER = 6,
+    VT_FOUND = 8,
+    VT_SHA256 = 10,
+    VT_NAME_PACKED = 12,
+    VT_FOLDER_PACKED = 14,
+    VT_FOUND_PACKED = 16,
+    VT_SHA256_PACKED = 18
+  };
+  /// In lower case, without its folder.
+  const ::flatbuffers::Vector<uint32_t> *name() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_NAME);
+  }
+  /// The game's folder that it was found in, as `3do/mat`, and of a name that was not found the first that is searched;
+  /// empty for a file right beside the level.
+  const ::flatbuffers::Vector<uint32_t> *folder() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_FOLDER);
+  }
+  /// 1 for a file that was found, 0 for a name that none has.
+  const ::flatbuffers::Vector<uint8_t> *found() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_FOUND);
+  }
+  /// SHA-256 of each file that was found, in their order.
+  const ::flatbuffers::Vector<uint8_t> *sha256() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_SHA256);
+  }
+  /// `name`, packed.
+  const jktools::Packed *name_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_NAME_PACKED);
+  }
+  /// `folder`, packed.
+  const jktools::Packed *folder_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_FOLDER_PACKED);
+  }
+  /// `found`, packed.
+  const jktools::Packed *found_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_FOUND_PACKED);
+  }
+  /// `sha256`, packed.
+  const jktools::Packed *sha256_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_SHA256_PACKED);
+  }
+  template <bool B = false>
+  bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
+    return VerifyTableStart(verifier) &&
+           VerifyOffset(verifier, VT_NAME) &&
+           verifier.VerifyVector(name()) &&
+           VerifyOffset(verifier, VT_FOLDER) &&
+           verifier.VerifyVector(folder()) &&
+           VerifyOffset(verifier, VT_FOUND) &&
+           verifier.VerifyVector(found()) &&
+           VerifyOffset(verifier, VT_SHA256) &&
+           verifier.VerifyVector(sha256()) &&
+           VerifyOffset(verifier, VT_NAME_PACKED) &&
+           verifier.VerifyTable(name_packed()) &&
+           VerifyOffset(verifier, VT_FOLDER_PACKED) &&
+           verifier.VerifyTable(folder_packed()) &&
+           VerifyOffset(verifier, VT_FOUND_PACKED) &&
+           verifier.VerifyTable(found_packed()) &&
+           VerifyOffset(verifier, VT_SHA256_PACKED) &&
+           verifier.VerifyTable(sha256_packed()) &&
+           verifier.EndTable();
+  }
+};
+
+struct FilesBuilder {
+  typedef Files Table;
+  ::flatbuffers::FlatBufferBuilder &fbb_;
+  ::flatbuffers::uoffset_t start_;
+  void add_name(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> name) {
+    fbb_.AddOffset(Files::VT_NAME, name);
+  }
+  void add_folder(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> folder) {
+    fbb_.AddOffset(Files::VT_FOLDER, folder);
+  }
+  void add_found(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> found) {
+    fbb_.AddOffset(Files::VT_FOUND, found);
+  }
+  void add_sha256(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> sha256) {
+    fbb_.AddOffset(Files::VT_SHA256, sha256);
+  }
+  void add_name_packed(::flatbuffers::Offset<jktools::Packed> name_packed) {
+    fbb_.AddOffset(Files::VT_NAME_PACKED, name_packed);
+  }
+  void add_folder_packed(::flatbuffers::Offset<jktools::Packed> folder_packed) {
+    fbb_.AddOffset(Files::VT_FOLDER_PACKED, folder_packed);
+  }
+  void add_found_packed(::flatbuffers::Offset<jktools::Packed> found_packed) {
+    fbb_.AddOffset(Files::VT_FOUND_PACKED, found_packed);
+  }
+  void add_sha256_packed(::flatbuffers::Offset<jktools::Packed> sha256_packed) {
+    fbb_.AddOffset(Files::VT_SHA256_PACKED, sha256_packed);
+  }
+  explicit FilesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
+        : fbb_(_fbb) {
+    start_ = fbb_.StartTable();
+  }
+  ::flatbuffers::Offset<Files> Finish() {
+    const auto end = fbb_.EndTable(start_);
+    auto o = ::flatbuffers::Offset<Files>(end);
+    return o;
+  }
+};
+
+inline ::flatbuffers::Offset<Files> CreateFiles(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> name = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> folder = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> found = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> sha256 = 0,
+    ::flatbuffers::Offset<jktools::Packed> name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> folder_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> found_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sha256_packed = 0) {
+  FilesBuilder builder_(_fbb);
+  builder_.add_sha256_packed(sha256_packed);
+  builder_.add_found_packed(found_packed);
+  builder_.add_folder_packed(folder_packed);
+  builder_.add_name_packed(name_packed);
+  builder_.add_sha256(sha256);
+  builder_.add_found(found);
+  builder_.add_folder(folder);
+  builder_.add_name(name);
+  return builder_.Finish();
+}
+
+inline ::flatbuffers::Offset<Files> CreateFilesDirect(
+    ::flatbuffers::FlatBufferBuilder &_fbb,
+    const std::vector<uint32_t> *name = nullptr,
+    const std::vector<uint32_t> *folder = nullptr,
+    const std::vector<uint8_t> *found = nullptr,
+    const std::vector<uint8_t> *sha256 = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> name_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> folder_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> found_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> sha256_packed = 0) {
+  auto name__ = name ? _fbb.CreateVector<uint32_t>(*name) : 0;
+  auto folder__ = folder ? _fbb.CreateVector<uint32_t>(*folder) : 0;
+  auto found__ = found ? _fbb.CreateVector<uint8_t>(*found) : 0;
+  auto sha256__ = sha256 ? _fbb.CreateVector<uint8_t>(*sha256) : 0;
+  return jktools::CreateFiles(
+      _fbb,
+      name__,
+      folder__,
+      found__,
+      sha256__,
+      name_packed,
+      folder_packed,
+      found_packed,
+      sha256_packed);
+}
+
 /// The whole file.
 struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef LevelBuilder Builder;
@@ -6479,7 +6810,9 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_BASINS = 48,
     VT_TEXT = 50,
     VT_TEXT_START = 52,
-    VT_TEXT_START_PACKED = 54
+    VT_TEXT_START_PACKED = 54,
+    VT_MODELS = 56,
+    VT_FILES = 58
   };
   /// Readers refuse a file whose major version they do not know.
   uint16_t format_major() const {
@@ -6497,7 +6830,7 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<uint8_t> *checksum() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_CHECKSUM);
   }
-  /// The level's source. The scripts, models and other files that were at hand are not listed.
+  /// The level's source; `files` has the others.
   const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Input>> *inputs() const {
     return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<jktools::Input>> *>(VT_INPUTS);
   }
@@ -6585,6 +6918,14 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Packed *text_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TEXT_START_PACKED);
   }
+  /// What bodies hover by. Since 1.2.
+  const jktools::Models *models() const {
+    return GetPointer<const jktools::Models *>(VT_MODELS);
+  }
+  /// What the level was compiled from beside its source. Since 1.2.
+  const jktools::Files *files() const {
+    return GetPointer<const jktools::Files *>(VT_FILES);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -6642,6 +6983,10 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyVector(text_start()) &&
            VerifyOffset(verifier, VT_TEXT_START_PACKED) &&
            verifier.VerifyTable(text_start_packed()) &&
+           VerifyOffset(verifier, VT_MODELS) &&
+           verifier.VerifyTable(models()) &&
+           VerifyOffset(verifier, VT_FILES) &&
+           verifier.VerifyTable(files()) &&
            verifier.EndTable();
   }
 };
@@ -6728,6 +7073,12 @@ struct LevelBuilder {
   void add_text_start_packed(::flatbuffers::Offset<jktools::Packed> text_start_packed) {
     fbb_.AddOffset(Level::VT_TEXT_START_PACKED, text_start_packed);
   }
+  void add_models(::flatbuffers::Offset<jktools::Models> models) {
+    fbb_.AddOffset(Level::VT_MODELS, models);
+  }
+  void add_files(::flatbuffers::Offset<jktools::Files> files) {
+    fbb_.AddOffset(Level::VT_FILES, files);
+  }
   explicit LevelBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -6772,8 +7123,12 @@ inline ::flatbuffers::Offset<Level> CreateLevel(
     ::flatbuffers::Offset<jktools::Basins> basins = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> text = 0,
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> text_start = 0,
-    ::flatbuffers::Offset<jktools::Packed> text_start_packed = 0) {
+    ::flatbuffers::Offset<jktools::Packed> text_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Models> models = 0,
+    ::flatbuffers::Offset<jktools::Files> files = 0) {
   LevelBuilder builder_(_fbb);
+  builder_.add_files(files);
+  builder_.add_models(models);
   builder_.add_text_start_packed(text_start_packed);
   builder_.add_text_start(text_start);
   builder_.add_text(text);
@@ -6830,7 +7185,9 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
     ::flatbuffers::Offset<jktools::Basins> basins = 0,
     const std::vector<uint8_t> *text = nullptr,
     const std::vector<uint32_t> *text_start = nullptr,
-    ::flatbuffers::Offset<jktools::Packed> text_start_packed = 0) {
+    ::flatbuffers::Offset<jktools::Packed> text_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Models> models = 0,
+    ::flatbuffers::Offset<jktools::Files> files = 0) {
   auto tool_version__ = tool_version ? _fbb.CreateString(tool_version) : 0;
   auto checksum__ = checksum ? _fbb.CreateVector<uint8_t>(*checksum) : 0;
   auto inputs__ = inputs ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Input>>(*inputs) : 0;
@@ -6866,7 +7223,9 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
       basins,
       text__,
       text_start__,
-      text_start_packed);
+      text_start_packed,
+      models,
+      files);
 }
 
 inline const jktools::Level *GetLevel(const void *buf) {

@@ -19,6 +19,7 @@ COMMANDS = {
     "lint": "find what is wrong with levels and scripts",
     "build": "compile levels to binary files",
     "inspect": "show what a compiled level holds",
+    "report": "draw levels with their findings as pages",
     "diff": "tell what differs between two levels",
     "cog": "show what COG scripts hold",
     "sight": "explain whether one point of a level sees another",

@@ -14,22 +14,27 @@ from jktools.emit import compiled
 @click.argument("file", metavar="FILE")
 @click.option("--json", "as_json", is_flag=True, help="The same as JSON, with the form of every column.")
 @click.option("--columns", is_flag=True, help="Show the form and size of every column.")
+@click.option("--inputs", is_flag=True, help="List every file that it was compiled from, and the names not found.")
 @click.option(
     "--verify", is_flag=True,
-    help="Compare the checksum, compile the level again with the settings that the file records, and compare.",
+    help="Compare the checksum, compile the level again with the settings that the file records, and compare inputs "
+    "and contents.",
 )  # fmt: skip
 @click.option(
     "--source", metavar="PATH",
     help="What --verify compiles: a level, or what it lies in; else it is looked for beside FILE and in the bases.",
 )  # fmt: skip
 @base_option
-def command(file: str, as_json: bool, columns: bool, verify: bool, source: str | None, base: tuple[str, ...]) -> int:
+def command(
+    file: str, as_json: bool, columns: bool, inputs: bool, verify: bool, source: str | None, base: tuple[str, ...]
+) -> int:
     """Show what a compiled level holds: sections, counts, sizes, passes.
 
-    --verify needs what the level was compiled with: the same --base. Where the source is not at hand it says so, and
-    checks what follows from the file itself.
+    --verify needs what the level was compiled with: the same --base, and its source. Without the source it checks what
+    follows from the file itself, and says that the rest could not be verified.
 
-    Exit status: 0, 1 when --verify finds a difference, 2 bad usage or a file that cannot be read.
+    Exit status: 0, 1 when --verify finds a difference or an input that changed, 2 bad usage, a file that cannot be
+    read, or a source that is not at hand.
     """
     if (source or base) and not verify:
         raise click.UsageError("--source and --base are for --verify")
@@ -43,8 +48,13 @@ def command(file: str, as_json: bool, columns: bool, verify: bool, source: str |
     if as_json:
         click.echo(compiled.json(level, verified=verified, fault=fault), nl=False)
     else:
-        click.echo("\n".join(compiled.text(level, verified=verified, columns=columns)))
+        click.echo("\n".join(compiled.text(level, verified=verified, columns=columns, inputs=inputs)))
+    if not verify:
+        return Status.CLEAN
     if fault is not None:
-        problem(f"{file} is not what it was compiled from: {fault}")
+        problem(f"{file} is {'out of date' if verdict.is_stale else 'not what it was compiled from'}: {fault}")
         return Status.FINDINGS
+    if not verdict.has_source:
+        problem(f"cannot verify {file}: its source {level.source[0]} is not at hand; name it with --source PATH")
+        return Status.USAGE
     return Status.CLEAN

@@ -9,13 +9,14 @@ from typing import Any, NamedTuple
 import click
 
 from jktools.cli.app import base_option
+from jktools.compiler import CompiledLevel
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
 from jktools.engine.integration import Scheme
 from jktools.engine.profile import Engine
 from jktools.engine.simulation import History
 from jktools.model import Level
-from jktools.session.levels import load
+from jktools.session.opening import open_level
 from jktools.trace import fit, recording, script, trace
 from jktools.trace.fitting import Fit, FitError, Interval
 from jktools.trace.in_level import body_named, start_at, trace_in_level
@@ -52,7 +53,11 @@ def command() -> None:
     "--fps", type=click.FloatRange(min=0, min_open=True), default=50.0, show_default=True, help="Frames a second."
 )
 @click.option("--set", "settings", metavar="NAME=VALUE", multiple=True, help="Change one of the body's parameters.")
-@click.option("--level", metavar="PATH", help="Walk in this level, on its floors and against its walls; needs --at.")
+@click.option(
+    "--level",
+    metavar="PATH",
+    help="Walk in this level, a source or a compiled one, on its floors and against its walls; needs --at.",
+)
 @click.option("--at", "place", metavar="THING|x,y,z,sector", help="Where in the level: a thing's number, or a point.")
 @click.option(
     "--body", "template", metavar="TEMPLATE", help="Whose body it is: a template of the level, not walkplayer."
@@ -73,13 +78,17 @@ def run_command(
     """Simulate walkplayer, or the body of another template, under SCRIPT."""
     if output is not None and output.suffix.lower() not in (".csv", ".m", ".png"):
         raise click.BadParameter(f"{output.name} names no format: .csv, .m or .png", param_hint="--output")
+    if output is not None and not output.parent.is_dir():
+        raise click.BadParameter(
+            f"there is no folder {output.parent} to write {output.name} into", param_hint="--output"
+        )
     if (level is None) != (place is None):
         raise click.UsageError("--level and --at go together")
     if template is not None and level is None:
         raise click.UsageError("--body names a template of --level")
     try:
         text = path.read_text(encoding="utf-8")
-        loaded = None if level is None else load(level, base)
+        loaded = None if level is None else open_level(level, base)
         body = WALKPLAYER if loaded is None or template is None else _body_of(loaded, template)
         options = _Options(_changed(body, settings), Engine(engine), Scheme(scheme) if scheme else None, fps)
         history = trace(text, **options._asdict()) if loaded is None else _in_level(text, loaded, place or "", options)
@@ -99,7 +108,7 @@ class _Options(NamedTuple):
     fps: float
 
 
-def _in_level(text: str, level: Level, place: str, options: _Options) -> History:
+def _in_level(text: str, level: Level | CompiledLevel, place: str, options: _Options) -> History:
     try:
         start = start_at(level, place)
     except ValueError as error:
@@ -107,7 +116,7 @@ def _in_level(text: str, level: Level, place: str, options: _Options) -> History
     return trace_in_level(text, level, start, **options._asdict())
 
 
-def _body_of(level: Level, template: str) -> Body:
+def _body_of(level: Level | CompiledLevel, template: str) -> Body:
     try:
         return body_named(level, template)
     except ValueError as error:

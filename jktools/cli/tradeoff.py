@@ -130,6 +130,10 @@ def _suffix(output: Path) -> str:
     suffix = output.suffix.lower().removeprefix(".")
     if suffix not in FORMATS:
         raise click.BadParameter(f"{output.name} names no format: .png or .svg", param_hint="--output")
+    if not output.parent.is_dir():
+        raise click.BadParameter(
+            f"there is no folder {output.parent} to write {output.name} into", param_hint="--output"
+        )
     if importlib.util.find_spec("matplotlib") is None:
         raise click.UsageError("--output needs matplotlib: pip install 'jktools[plot]'")
     return suffix

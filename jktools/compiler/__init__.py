@@ -2,9 +2,9 @@
 
 from jktools.compiler.errors import CompiledFileError, CompileError, PassError
 from jktools.compiler.passes import CHOICES
-from jktools.compiler.queries import Basin, Ledge
 from jktools.compiler.reader import CompiledLevel, open_compiled
 from jktools.compiler.settings import CompileSettings
+from jktools.compiler.walking import Basin, Leave, Ledge, ThingFace
 from jktools.compiler.writer import Compilation, compilation, compile_level
 
 __all__ = [
@@ -15,8 +15,10 @@ __all__ = [
     "CompileSettings",
     "CompiledFileError",
     "CompiledLevel",
+    "Leave",
     "Ledge",
     "PassError",
+    "ThingFace",
     "compilation",
     "compile_level",
     "open_compiled",

@@ -345,6 +345,32 @@ BASINS: Mapping[str, Column] = MappingProxyType(
     }
 )
 
+MODELS: Mapping[str, Column] = MappingProxyType(
+    _rows(
+        "name",
+        {
+            "name": replace(_TEXT, since=2),
+            "insert_offset": Column("f4", 3, since=2, group="model"),
+            "radius": Column("f4", since=2, group="model"),
+            "known": Column("u1", since=2, group="model"),
+        },
+    )
+)
+
+FILES: Mapping[str, Column] = MappingProxyType(
+    {
+        **_rows(
+            "name",
+            {
+                "name": replace(_TEXT, since=2),
+                "folder": replace(_TEXT, since=2, group="file"),
+                "found": Column("u1", since=2, group="file"),
+            },
+        ),
+        "sha256": Column("u1", 32, since=2),
+    }
+)
+
 _LISTS = (
     "sounds", "materials", "colormaps", "aiclasses", "models", "sprites", "keyframes", "animclasses", "soundclasses",
     "cogscripts",
@@ -367,6 +393,8 @@ SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
         "motion": MOTION,
         "ledges": LEDGES,
         "basins": BASINS,
+        "models": MODELS,
+        "files": FILES,
     }
 )
 """The sections of the file in its order, with their columns."""

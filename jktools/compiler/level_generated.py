@@ -699,8 +699,16 @@ class Pass(object):
             return self._tab.String(o + self._tab.Pos)
         return None
 
+    # Whether it did not run to its end, by a fault of jktools; its section is then absent. Since 1.2.
+    # Pass
+    def Failed(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            return bool(self._tab.Get(flatbuffers.number_types.BoolFlags, o + self._tab.Pos))
+        return False
+
 def PassStart(builder):
-    builder.StartObject(3)
+    builder.StartObject(4)
 
 def PassAddName(builder, name):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(name), 0)
@@ -710,6 +718,9 @@ def PassAddRan(builder, ran):
 
 def PassAddNote(builder, note):
     builder.PrependUOffsetTRelativeSlot(2, flatbuffers.number_types.UOffsetTFlags.py_type(note), 0)
+
+def PassAddFailed(builder, failed):
+    builder.PrependBoolSlot(3, failed, 0)
 
 def PassEnd(builder):
     return builder.EndObject()
@@ -9808,6 +9819,454 @@ def BasinsEnd(builder):
 
 
 
+# The models of the templates that are kept, as far as their files are at hand. Since 1.2.
+class Models(object):
+    __slots__ = ['_tab']
+
+    @classmethod
+    def GetRootAs(cls, buf, offset=0):
+        n = flatbuffers.encode.Get(flatbuffers.packer.uoffset, buf, offset)
+        x = Models()
+        x.Init(buf, n + offset)
+        return x
+
+    @classmethod
+    def GetRootAsModels(cls, buf, offset=0):
+        """This method is deprecated. Please switch to GetRootAs."""
+        return cls.GetRootAs(buf, offset)
+    @classmethod
+    def ModelsBufferHasIdentifier(cls, buf, offset, size_prefixed=False):
+        return flatbuffers.util.BufferHasIdentifier(buf, offset, b"\x4A\x4B\x4C\x42", size_prefixed=size_prefixed)
+
+    # Models
+    def Init(self, buf, pos):
+        self._tab = flatbuffers.table.Table(buf, pos)
+
+    # The 3DO file, in lower case.
+    # Models
+    def Name(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Models
+    def NameAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Models
+    def NameLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Models
+    def NameIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        return o == 0
+
+    # x y z, JKU: where its origin lies from the place of its thing. A body hovers over floors by its z.
+    # Models
+    def InsertOffset(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Float32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Models
+    def InsertOffsetAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Float32Flags, o)
+        return 0
+
+    # Models
+    def InsertOffsetLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Models
+    def InsertOffsetIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        return o == 0
+
+    # As written, JKU; NaN where the file is not at hand.
+    # Models
+    def Radius(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Float32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Models
+    def RadiusAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Float32Flags, o)
+        return 0
+
+    # Models
+    def RadiusLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Models
+    def RadiusIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        return o == 0
+
+    # 1 for the insert offset of a model of the game's own that jktools knows, whose file was not at hand; else 0.
+    # Models
+    def Known(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint8Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 1))
+        return 0
+
+    # Models
+    def KnownAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint8Flags, o)
+        return 0
+
+    # Models
+    def KnownLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Models
+    def KnownIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        return o == 0
+
+    # `name`, packed.
+    # Models
+    def NamePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `insert_offset`, packed.
+    # Models
+    def InsertOffsetPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `radius`, packed.
+    # Models
+    def RadiusPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `known`, packed.
+    # Models
+    def KnownPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+def ModelsStart(builder):
+    builder.StartObject(8)
+
+def ModelsAddName(builder, name):
+    builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(name), 0)
+
+def ModelsStartNameVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def ModelsAddInsertOffset(builder, insertOffset):
+    builder.PrependUOffsetTRelativeSlot(1, flatbuffers.number_types.UOffsetTFlags.py_type(insertOffset), 0)
+
+def ModelsStartInsertOffsetVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def ModelsAddRadius(builder, radius):
+    builder.PrependUOffsetTRelativeSlot(2, flatbuffers.number_types.UOffsetTFlags.py_type(radius), 0)
+
+def ModelsStartRadiusVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def ModelsAddKnown(builder, known):
+    builder.PrependUOffsetTRelativeSlot(3, flatbuffers.number_types.UOffsetTFlags.py_type(known), 0)
+
+def ModelsStartKnownVector(builder, numElems):
+    return builder.StartVector(1, numElems, 1)
+
+def ModelsAddNamePacked(builder, namePacked):
+    builder.PrependUOffsetTRelativeSlot(4, flatbuffers.number_types.UOffsetTFlags.py_type(namePacked), 0)
+
+def ModelsAddInsertOffsetPacked(builder, insertOffsetPacked):
+    builder.PrependUOffsetTRelativeSlot(5, flatbuffers.number_types.UOffsetTFlags.py_type(insertOffsetPacked), 0)
+
+def ModelsAddRadiusPacked(builder, radiusPacked):
+    builder.PrependUOffsetTRelativeSlot(6, flatbuffers.number_types.UOffsetTFlags.py_type(radiusPacked), 0)
+
+def ModelsAddKnownPacked(builder, knownPacked):
+    builder.PrependUOffsetTRelativeSlot(7, flatbuffers.number_types.UOffsetTFlags.py_type(knownPacked), 0)
+
+def ModelsEnd(builder):
+    return builder.EndObject()
+
+
+
+# The other files that the level was compiled from, and the names that none has: where such a file is added, the level may
+# become another. Sorted by folder and name. Since 1.2.
+class Files(object):
+    __slots__ = ['_tab']
+
+    @classmethod
+    def GetRootAs(cls, buf, offset=0):
+        n = flatbuffers.encode.Get(flatbuffers.packer.uoffset, buf, offset)
+        x = Files()
+        x.Init(buf, n + offset)
+        return x
+
+    @classmethod
+    def GetRootAsFiles(cls, buf, offset=0):
+        """This method is deprecated. Please switch to GetRootAs."""
+        return cls.GetRootAs(buf, offset)
+    @classmethod
+    def FilesBufferHasIdentifier(cls, buf, offset, size_prefixed=False):
+        return flatbuffers.util.BufferHasIdentifier(buf, offset, b"\x4A\x4B\x4C\x42", size_prefixed=size_prefixed)
+
+    # Files
+    def Init(self, buf, pos):
+        self._tab = flatbuffers.table.Table(buf, pos)
+
+    # In lower case, without its folder.
+    # Files
+    def Name(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Files
+    def NameAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Files
+    def NameLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Files
+    def NameIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(4))
+        return o == 0
+
+    # The game's folder that it was found in, as `3do/mat`, and of a name that was not found the first that is searched;
+    # empty for a file right beside the level.
+    # Files
+    def Folder(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Files
+    def FolderAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Files
+    def FolderLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Files
+    def FolderIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(6))
+        return o == 0
+
+    # 1 for a file that was found, 0 for a name that none has.
+    # Files
+    def Found(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint8Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 1))
+        return 0
+
+    # Files
+    def FoundAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint8Flags, o)
+        return 0
+
+    # Files
+    def FoundLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Files
+    def FoundIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(8))
+        return o == 0
+
+    # SHA-256 of each file that was found, in their order.
+    # Files
+    def Sha256(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint8Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 1))
+        return 0
+
+    # Files
+    def Sha256AsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint8Flags, o)
+        return 0
+
+    # Files
+    def Sha256Length(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Files
+    def Sha256IsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
+        return o == 0
+
+    # `name`, packed.
+    # Files
+    def NamePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `folder`, packed.
+    # Files
+    def FolderPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `found`, packed.
+    # Files
+    def FoundPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `sha256`, packed.
+    # Files
+    def Sha256Packed(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+def FilesStart(builder):
+    builder.StartObject(8)
+
+def FilesAddName(builder, name):
+    builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(name), 0)
+
+def FilesStartNameVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def FilesAddFolder(builder, folder):
+    builder.PrependUOffsetTRelativeSlot(1, flatbuffers.number_types.UOffsetTFlags.py_type(folder), 0)
+
+def FilesStartFolderVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def FilesAddFound(builder, found):
+    builder.PrependUOffsetTRelativeSlot(2, flatbuffers.number_types.UOffsetTFlags.py_type(found), 0)
+
+def FilesStartFoundVector(builder, numElems):
+    return builder.StartVector(1, numElems, 1)
+
+def FilesAddSha256(builder, sha256):
+    builder.PrependUOffsetTRelativeSlot(3, flatbuffers.number_types.UOffsetTFlags.py_type(sha256), 0)
+
+def FilesStartSha256Vector(builder, numElems):
+    return builder.StartVector(1, numElems, 1)
+
+def FilesAddNamePacked(builder, namePacked):
+    builder.PrependUOffsetTRelativeSlot(4, flatbuffers.number_types.UOffsetTFlags.py_type(namePacked), 0)
+
+def FilesAddFolderPacked(builder, folderPacked):
+    builder.PrependUOffsetTRelativeSlot(5, flatbuffers.number_types.UOffsetTFlags.py_type(folderPacked), 0)
+
+def FilesAddFoundPacked(builder, foundPacked):
+    builder.PrependUOffsetTRelativeSlot(6, flatbuffers.number_types.UOffsetTFlags.py_type(foundPacked), 0)
+
+def FilesAddSha256Packed(builder, sha256Packed):
+    builder.PrependUOffsetTRelativeSlot(7, flatbuffers.number_types.UOffsetTFlags.py_type(sha256Packed), 0)
+
+def FilesEnd(builder):
+    return builder.EndObject()
+
+
+
 # The whole file.
 class Level(object):
     __slots__ = ['_tab']
@@ -9883,7 +10342,7 @@ class Level(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
-    # The level's source. The scripts, models and other files that were at hand are not listed.
+    # The level's source; `files` has the others.
     # Level
     def Inputs(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))
@@ -10211,8 +10670,30 @@ class Level(object):
             return obj
         return None
 
+    # What bodies hover by. Since 1.2.
+    # Level
+    def Models(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(56))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Models()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # What the level was compiled from beside its source. Since 1.2.
+    # Level
+    def Files(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Files()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def LevelStart(builder):
-    builder.StartObject(26)
+    builder.StartObject(28)
 
 def LevelAddFormatMajor(builder, formatMajor):
     builder.PrependUint16Slot(0, formatMajor, 0)
@@ -10312,6 +10793,12 @@ def LevelStartTextStartVector(builder, numElems):
 
 def LevelAddTextStartPacked(builder, textStartPacked):
     builder.PrependUOffsetTRelativeSlot(25, flatbuffers.number_types.UOffsetTFlags.py_type(textStartPacked), 0)
+
+def LevelAddModels(builder, models):
+    builder.PrependUOffsetTRelativeSlot(26, flatbuffers.number_types.UOffsetTFlags.py_type(models), 0)
+
+def LevelAddFiles(builder, files):
+    builder.PrependUOffsetTRelativeSlot(27, flatbuffers.number_types.UOffsetTFlags.py_type(files), 0)
 
 def LevelEnd(builder):
     return builder.EndObject()

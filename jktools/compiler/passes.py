@@ -46,6 +46,8 @@ PASSES: Mapping[str, Pass] = {
         Pass("motion", scene.motion, ("templates",)),
         Pass("ledges", walkability.ledges, ("geometry",)),
         Pass("basins", walkability.basins, ("geometry", "ledges")),
+        Pass("models", scene.models, ("templates",)),
+        Pass("files", sections.files, optional=False),  # the last: it tells what the others looked for
     )
 }
 """In the order of the file; a pass comes after those that it needs."""

@@ -1,9 +1,8 @@
-"""What a compiled level answers from its own columns: its mesh, the ledges of an edge, the basins of a body."""
+"""The geometry of a compiled level, as queries take it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -18,44 +17,6 @@ class Columns(Protocol):
     """Anything that has the columns of a section as attributes."""
 
     def __getattr__(self, name: str) -> Array: ...
-
-
-class Ledge(NamedTuple):
-    """A part of a floor's edge, and what a body comes onto beyond it; grammars/level.fbs tells more of each."""
-
-    start: float
-    end: float
-    """0 .. 1 along the edge."""
-    kind: int
-    """A `jktools.facts.ledges.Kind`, by the engine profile of the file."""
-    other_kind: int
-    """By the other profile."""
-    below: int
-    """The surface come onto, or that blocks; -1 for none."""
-    thing: int
-    """Source index of the thing that makes it unknown, or -1."""
-    drop_start: float
-    drop_end: float
-    """From the edge down at both ends, JKU; NaN for none."""
-    traits: int
-    """0x1 the place below is narrower than the body, 0x2 the engine's AI stops."""
-    onto: int = -1
-    """Source index of the thing come onto, or that blocks; -1 for none, and in files up to format 1.1."""
-    onto_face: int = -1
-    """The face of its model at rest, or -1."""
-
-
-class Basin(NamedTuple):
-    """Floors that a body can come down to and whose every way out goes up."""
-
-    surfaces: tuple[int, ...]
-    shallowest: float
-    deepest: float
-    """Least and greatest height of the edges that lead in, JKU."""
-    entered: int
-    """0x1 walk, 0x2 fall, 0x4 jump, 0x8 a player starts there."""
-    left: int
-    """0x1 walk, 0x2 jump, 0x4 mover, 0x8 water, 0x10 deadly, 0x20 unknown; 0: inescapable where no player starts."""
 
 
 def plan_of(geometry: Columns) -> Plan:
@@ -82,24 +43,3 @@ def _any(marked: Array, first: Array, end: Array) -> Array:
     """Whether any of [first, end) is marked."""
     before = np.concatenate([[0], np.cumsum(marked)])
     return np.asarray(before[end] > before[first])
-
-
-def ledges_at(ledges: Columns, body: int, surface: int, corner: int) -> Iterator[Ledge]:
-    """The ledges of one edge in their order. Raises IndexError for a body that the file does not have."""
-    bodies = len(ledges.body_movesize)
-    if not 0 <= body < bodies:
-        raise IndexError(f"body {body} does not exist: there are {bodies}")
-    first, end = (int(ledges.body_ledge_start[body + i]) for i in (0, 1))
-    low = first + int(np.searchsorted(ledges.surface[first:end], surface, "left"))
-    high = first + int(np.searchsorted(ledges.surface[first:end], surface, "right"))
-    for row in range(low, high):
-        if ledges.corner[row] == corner:
-            yield Ledge(*(getattr(ledges, name)[row].item() for name in Ledge._fields if hasattr(ledges, name)))
-
-
-def basins_of(basins: Columns, body: int) -> Iterator[Basin]:
-    """The basins of a body."""
-    for row in np.flatnonzero(basins.body == body).tolist():
-        surfaces = basins.surface[basins.surface_start[row] : basins.surface_start[row + 1]]
-        figures = (getattr(basins, name)[row].item() for name in Basin._fields[1:])
-        yield Basin(tuple(surfaces.tolist()), *figures)

@@ -21,10 +21,13 @@ from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import is_intact
 from jktools.compiler.columns import OMISSION, SECTIONS, STRINGS, TEXT, Column, camel_case
 from jktools.compiler.errors import CompiledFileError
+from jktools.compiler.held import HeldTemplate, templates_of
+from jktools.compiler.leaving import Point
 from jktools.compiler.packing import INDICES, VECTORS, Stored, absent
-from jktools.compiler.queries import Basin, Ledge, basins_of, ledges_at, plan_of
+from jktools.compiler.queries import plan_of
 from jktools.compiler.slots import wanted
-from jktools.geometry import SectorMesh, expanded, unpacked
+from jktools.compiler.walking import Basin, Leave, Ledge, ThingFace, Walking
+from jktools.geometry import Plan, SectorMesh, expanded, unpacked
 
 FORMAT_MAJOR, FORMAT_MINOR = 1, 2
 """Version of the format that this code writes; it reads every file of the same major version."""
@@ -178,6 +181,8 @@ class CompiledLevel:
     motion: Section | None
     ledges: Section | None
     basins: Section | None
+    models: Section | None
+    files: Section | None
 
     def __init__(self, data: bytes | memoryview, path: str = "<bytes>", *, verify: bool = False) -> None:
         """Check and view a buffer. Raises CompiledFileError; `verify` compares the checksum too."""
@@ -255,13 +260,26 @@ class CompiledLevel:
         return unpacked(matrix)
 
     @cached_property
+    def plan(self) -> Plan:
+        """The geometry as plain arrays."""
+        return plan_of(self.geometry)
+
+    @cached_property
     def mesh(self) -> SectorMesh:
         """The sectors as a mesh over the file's own vertices: sight, drop and location, without the level's source.
 
         At `balanced` and `exact` the file holds the vertices as read, and its mesh answers as the level's own does; a
         file of `fast` answers about vertices on its grid.
         """
-        return SectorMesh.from_plan(plan_of(self.geometry))
+        return SectorMesh.from_plan(self.plan)
+
+    @cached_property
+    def _walking(self) -> Walking:
+        return Walking(self.geometry, self.ledges, self.basins)
+
+    def body_of(self, template: str) -> int:
+        """Number of the body of a template, by its name in any case. Raises KeyError for one that has none."""
+        return self._walking.body_of(template, self.strings)
 
     def ledges_at(self, body: int, surface: int, corner: int, place: float | None = None) -> list[Ledge]:
         """What a body meets beyond the edge that goes from a corner of a floor to the next one, along the edge.
@@ -269,14 +287,63 @@ class CompiledLevel:
         With `place`, 0 .. 1 along the edge, the first that holds it. An edge, or a part of one, without a ledge goes
         on level. Raises IndexError for a body that the file does not have.
         """
-        if self.ledges is None:
-            raise IndexError(f"body {body} does not exist: there are 0")
-        found = list(ledges_at(self.ledges, body, surface, corner))
-        return found if place is None else [each for each in found if each.start <= place <= each.end][:1]
+        return self._walking.at(body, (surface, corner), place)
+
+    def ledges_of_thing(
+        self, body: int, thing: int, frame: int, face: int, corner: int, place: float | None = None
+    ) -> list[Ledge]:
+        """The same beyond an edge of a face of a thing (source index) where it is placed (-1) or at one of its frames.
+
+        A frame at which it is as it is placed counts as that. The face is that of its model at rest.
+        """
+        return self._walking.at(body, (thing, frame, face, corner), place)
+
+    def leave(self, body: int, floor: int | ThingFace, origin: Point, target: Point) -> Leave:
+        """What comes of a body that moves straight over the floor that it stands on, a surface or a face of a thing.
+
+        By which edge it leaves it, seen from above, and what it comes onto there. Both points are its position, x y z,
+        JKU. The way starts over the floor or on an edge of it; of another way, of coordinates that are not finite or
+        2^150 or more, and of what is no floor, the kind is UNKNOWN. Raises IndexError for a body that the file does not
+        have.
+        """
+        return self._walking.leave(body, floor, origin, target)
 
     def basins_of(self, body: int) -> list[Basin]:
         """Where a body can fall in and every way out goes up; none for a body that the file does not have."""
-        return [] if self.basins is None else list(basins_of(self.basins, body))
+        return list(self._walking.basins_of(body))
+
+    def basin_at(self, body: int, surface: int) -> Basin | None:
+        """The basin of a body that holds a surface."""
+        return next((each for each in self._walking.basins_of(body) if surface in each.surfaces), None)
+
+    def template(self, name: str) -> HeldTemplate | None:
+        """The template of a name, free of case, of those that the file has; the first, as in the engine."""
+        return self._templates_by_name.get(name.lower())
+
+    @cached_property
+    def _templates_by_name(self) -> dict[str, HeldTemplate]:
+        if self.templates is None or "value_start" not in self.templates.stored:
+            return {}
+        found: dict[str, HeldTemplate] = {}
+        for held in templates_of(self.templates, self.strings):
+            found.setdefault(held.name.lower(), held)
+        return found
+
+    def insert_offset(self, model: str) -> tuple[float, float, float] | None:
+        """Where a model's origin lies from the place of its thing, x y z in JKU; None for one that the file lacks."""
+        return self._insert_offsets.get(model.lower())
+
+    @cached_property
+    def _insert_offsets(self) -> dict[str, tuple[float, float, float]]:
+        if self.models is None:
+            return {}
+        names = (self.strings[i] for i in self.models.name.tolist())
+        return {name: (x, y, z) for name, (x, y, z) in zip(names, self.models.insert_offset.tolist(), strict=True)}
+
+    def why_absent(self, section: str) -> str:
+        """Why the file does not have a section, as the pass that computes it noted."""
+        state = self.passes.get(section)
+        return (state and state["note"]) or f"jktools {self.tool_version} did not write it"
 
     @property
     def vertex_step(self) -> float:
@@ -309,6 +376,11 @@ class CompiledLevel:
         return f"{self._root.FormatMajor()}.{self._root.FormatMinor()}"
 
     @property
+    def format_minor(self) -> int:
+        """The minor version of the file format."""
+        return int(self._root.FormatMinor())
+
+    @property
     def tool_version(self) -> str:
         """Version of the jktools that wrote it."""
         return self._text(self._root.ToolVersion())
@@ -319,10 +391,43 @@ class CompiledLevel:
         return bytes(self._root.ChecksumAsNumpy()).hex()
 
     @property
-    def inputs(self) -> list[tuple[str, str]]:
-        """Path inside the pack and SHA-256 of each file that it was made from."""
+    def source(self) -> tuple[str, str]:
+        """Path inside the pack, and SHA-256 in hex, of the level that it was made from."""
+        path, digest = next(iter(self._sources), ("", ""))
+        return path, digest
+
+    @property
+    def _sources(self) -> list[tuple[str, str]]:
         entries = [self._root.Inputs(i) for i in range(self._root.InputsLength())]
         return [(self._text(e.Path()), bytes(e.Sha256AsNumpy()).hex()) for e in entries]
+
+    @property
+    def inputs(self) -> list[tuple[str, str]]:
+        """Path and SHA-256 in hex of each file that it was made from: the level's source, then the others.
+
+        Paths are those of the game, as `cog/door.cog`; the source's is that inside its pack, or its base name. Files
+        before 1.2 list the source alone.
+        """
+        return [*self._sources, *((path, digest) for path, digest in self._looked_for if digest is not None)]
+
+    @property
+    def missing_inputs(self) -> list[str]:
+        """Names that were looked for and that no file had: where one is added, the level may become another."""
+        return [path for path, digest in self._looked_for if digest is None]
+
+    @cached_property
+    def _looked_for(self) -> list[tuple[str, str | None]]:
+        files = self.files
+        if files is None:
+            return []
+        if int(files.found.astype(bool).sum()) != len(files.sha256):
+            raise CompiledFileError(f"cannot read {self.path}: the file is damaged; build it again")
+        digests = iter(files.sha256)
+        names, folders = ([self.strings[i] for i in column.tolist()] for column in (files.name, files.folder))
+        return [
+            (f"{folder}/{name}" if folder else name, next(digests).tobytes().hex() if found else None)
+            for folder, name, found in zip(folders, names, files.found.tolist(), strict=True)
+        ]
 
     @property
     def settings(self) -> dict[str, str]:
@@ -371,6 +476,7 @@ class CompiledLevel:
             "bodies": ("ledges", "body_movesize"),
             "ledges": ("ledges", "surface"),
             "basins": ("basins", "body"),
+            "models": ("models", "name"),
         }
         return {
             kind: len(self.sections[section].stored[column]) if section in self.sections else 0
@@ -393,10 +499,14 @@ class CompiledLevel:
 
     @property
     def passes(self) -> dict[str, dict[str, Any]]:
-        """Which passes ran; `note` says why one did not."""
+        """Which passes ran, and which failed; `note` says why one did not run."""
         entries = [self._root.Passes(i) for i in range(self._root.PassesLength())]
         return {
-            self._text(e.Name()): {"ran": e.Ran(), "note": None if e.Note() is None else self._text(e.Note())}
+            self._text(e.Name()): {
+                "ran": bool(e.Ran()),
+                "failed": bool(e.Failed()),
+                "note": None if e.Note() is None else self._text(e.Note()),
+            }
             for e in entries
         }
 

@@ -344,7 +344,7 @@ def _of_templates(level: CompiledLevel, section: Section, name: str, translate: 
     if "material" in section.stored:
         fields["material"] = Field(_texts(level, section.material))
     return Records(
-        name, "cloud" if name == "particles" else "mover", template, [names.get(each, "") for each in template],
+        name, "cloud" if name == "particles" else "motion", template, [names.get(each, "") for each in template],
         [translate("template", each) for each in template], fields, by_identity=True,
     )  # fmt: skip
 

@@ -14,6 +14,7 @@ from jktools.facts.hotspots import Runner, Verdict
 from jktools.facts.lights import still_lights
 from jktools.facts.motion import Interval, bodies, gravity_of, motions
 from jktools.facts.particles import clouds
+from jktools.model.insert_offset import insert_offset
 
 VERDICTS = (Verdict.NEVER, Verdict.ALWAYS, Verdict.VARIES)
 """In the order of the schema."""
@@ -117,6 +118,24 @@ def motion(facts: LevelFacts, _: Strings, settings: CompileSettings) -> Columns 
             values = [value.least for value in values]
         columns[key] = np.array(values, np.float64)
     return columns
+
+
+def models(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Columns | NotNeeded:
+    """The models of the templates that are kept."""
+    level = facts.level
+    kept = choose(facts, cut_anyway=settings.cut_anyway).kept.tolist()
+    named = dict.fromkeys(level.resolved_templates[i].name_in("model3d") for i in kept)
+    offsets = {name: insert_offset(level.resources, name) for name in named if name is not None}
+    found = {name: offset for name, offset in offsets.items() if offset is not None}
+    if not found:
+        return NotNeeded("no model of a template is at hand")
+    files = [level.resources.model(name) for name in found]
+    return {
+        "name": strings.indices(found),
+        "insert_offset": np.array([(each.x, each.y, each.z) for each in found.values()]),
+        "radius": np.array([np.nan if file is None else file.radius for file in files]),
+        "known": np.array([each.known for each in found.values()]),
+    }
 
 
 def _kept(facts: LevelFacts, settings: CompileSettings) -> frozenset[int]:

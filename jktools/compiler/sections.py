@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -25,6 +26,9 @@ from jktools.syntax.template.values import ValueKind
 Columns = Mapping[str, npt.NDArray[Any] | Stored]
 """Columns by name; what is stored is written so, the rest in its smallest form."""
 Rows = npt.NDArray[np.intp]
+
+
+DIGEST = hashlib.sha256().digest_size
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,6 +244,19 @@ def visibility(facts: LevelFacts, _: Strings, settings: CompileSettings) -> Colu
         "sector": np.arange(len(rows)),
         "row_start": np.concatenate([[0], np.cumsum([len(row) for row in rows])]),
         "row": np.frombuffer(b"".join(rows), np.uint8),
+    }
+
+
+def files(facts: LevelFacts, strings: Strings, _: CompileSettings) -> Columns | NotNeeded:
+    """The files beside the level's source that the passes before looked for."""
+    asked = facts.level.resources.looked_for
+    if not asked:
+        return NotNeeded("no other file was looked for")
+    return {
+        "name": strings.indices(each.name for each in asked),
+        "folder": strings.indices(each.folder for each in asked),
+        "found": np.array([each.sha256 is not None for each in asked]),
+        "sha256": np.frombuffer(b"".join(each.sha256 or b"" for each in asked), np.uint8).reshape(-1, DIGEST),
     }
 
 

@@ -29,6 +29,8 @@ def first_difference(level: CompiledLevel, again: CompiledLevel) -> str | None:
             if not _equal(value, there.get(key)):
                 return f"{name}.{key} is {value}, but {there.get(key)} when compiled again"
     for section in SECTIONS:
+        if all(column.since > level.format_minor for column in SECTIONS[section].values()):
+            continue
         mine, other = level.sections.get(section), again.sections.get(section)
         if (mine is None) != (other is None):
             return f"the section {section} is {_there(mine)}, but {_there(other)} when compiled again"
@@ -45,10 +47,31 @@ def first_difference(level: CompiledLevel, again: CompiledLevel) -> str | None:
     return None
 
 
+def changed_inputs(level: CompiledLevel, again: CompiledLevel) -> list[str]:
+    """What has become of each input since, in a phrase: changed, gone or new. None for a file that lists none.
+
+    Where inputs changed, others can be looked for: those are told only where nothing else is.
+    """
+    if level.files is None:
+        return []
+    then, now = ({**dict.fromkeys(each.missing_inputs), **dict(each.inputs[1:])} for each in (level, again))
+    both = [path for path in then if path in now]
+    return [_change(path, then[path], now[path]) for path in sorted(both) if then[path] != now[path]] or [
+        f"{path} is looked for {'now' if path in now else 'no more'}" for path in sorted(then.keys() ^ now.keys())
+    ]
+
+
+def _change(path: str, then: str | None, now: str | None) -> str:
+    if now is None:
+        return f"{path} is not at hand"
+    return f"{path} was not at hand, but is now" if then is None else f"{path} is SHA-256 {now}, but was {then}"
+
+
 def _outcome(state: Mapping[str, Any] | None) -> str:
     if state is None:
         return "is unknown"
-    return ("ran" if state["ran"] else "did not run") + (f" and says {state['note']!r}" if state["note"] else "")
+    outcome = "ran" if state["ran"] else "failed" if state["failed"] else "did not run"
+    return outcome + (f" and says {state['note']!r}" if state["note"] else "")
 
 
 def _there(section: Section | None) -> str:

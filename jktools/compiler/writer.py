@@ -58,12 +58,16 @@ def compilation(
 ) -> Compilation:
     """Compile a level. `progress` is told the name of each pass before it runs, and `WRITING` behind the last.
 
+    With `facts`, what they have worked out is not worked out again; the file then lists all that was ever looked for.
     Raises CompileError when the engine would refuse it or read beyond its lists, PassError when a pass fails and the
     settings do not say to keep going.
     """
     settings = settings or CompileSettings()
     _refuse_broken(level)
-    facts = facts or LevelFacts(level)
+    if facts is None:
+        # What was looked for before is no matter of this file.
+        level = level.anew()
+        facts = LevelFacts(level)
     if settings.accuracy == "fast":
         level = on_grid(level)
         facts = LevelFacts(level, facts.vocabulary)
@@ -238,6 +242,8 @@ def _passes(builder: flatbuffers.Builder, outcomes: Mapping[str, Outcome]) -> in
     passes = []
     for name, outcome in outcomes.items():
         fields: dict[str, int] = {"name": builder.CreateString(name), "ran": outcome.columns is not None}
+        if outcome.failed:
+            fields["failed"] = True
         if outcome.note:
             fields["note"] = builder.CreateString(outcome.note)
         passes.append(_table(builder, "Pass", **fields))

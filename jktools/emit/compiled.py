@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from jktools import __version__
@@ -19,12 +19,15 @@ NAMED = 8
 """Names of left out records in the text."""
 
 
-def text(level: CompiledLevel, *, verified: Sequence[str] = (), columns: bool = False) -> Iterator[str]:
-    """The lines for a terminal; `columns` tells the form of each column."""
+def text(
+    level: CompiledLevel, *, verified: Sequence[str] = (), columns: bool = False, inputs: bool = False
+) -> Iterator[str]:
+    """The lines for a terminal; `columns` tells the form of each column, `inputs` every file that it was made from."""
     yield f"{level.path}: compiled level, format {level.format}, {level.data.nbytes} bytes"
     yield f"  written by jktools {level.tool_version} for " + ", ".join(f"{k} {v}" for k, v in level.settings.items())
-    for path, digest in level.inputs:
-        yield f"  from {printable(path)} (sha256 {digest})"
+    path, digest = level.source
+    yield f"  from {printable(path)} (sha256 {digest})"
+    yield from _inputs(level, whole=inputs)
     yield f"  checksum {level.checksum}"
     for sentence in verified:
         yield f"  {printable(sentence)}"
@@ -41,7 +44,7 @@ def text(level: CompiledLevel, *, verified: Sequence[str] = (), columns: bool = 
     yield "  sections:"
     for name, state in level.passes.items():
         section = level.sections.get(name)
-        size = f"{section.nbytes:>10} bytes {section.nbytes / level.data.nbytes:6.1%}" if section else "   not run"
+        size = f"{section.nbytes:>10} bytes {section.nbytes / level.data.nbytes:6.1%}" if section else _state(state)
         yield f"    {name:<15}{size}" + (f"  ({printable(state['note'])})" if state["note"] else "")
         if section and columns:
             for key, stored in section.stored.items():
@@ -55,6 +58,25 @@ def text(level: CompiledLevel, *, verified: Sequence[str] = (), columns: bool = 
             f"  left out of {each['section']}, because {each['reason']}: {' '.join(names)}"
             + (f" and {more} more" if more else "")
         )  # fmt: skip
+
+
+def _inputs(level: CompiledLevel, *, whole: bool) -> Iterator[str]:
+    """The files beside the source; lines of files as sha256sum writes them."""
+    others, missing = level.inputs[1:], level.missing_inputs
+    if level.files is None:
+        return
+    if not whole:
+        yield f"  and from {len(others)} other files; {len(missing)} more were looked for and not found (--inputs)"
+        return
+    yield f"  and from {len(others)} other files:"
+    yield from (f"    {digest}  {printable(path)}" for path, digest in others)
+    yield f"  and {len(missing)} that were looked for and not found:"
+    yield from (f"    {printable(path)}" for path in missing)
+
+
+def _state(state: Mapping[str, Any]) -> str:
+    """In place of a size."""
+    return "    failed" if state["failed"] else "   not run"
 
 
 def rest(level: CompiledLevel) -> dict[str, int]:
@@ -79,6 +101,7 @@ def json(level: CompiledLevel, *, verified: Sequence[str] = (), fault: str | Non
                 "bytes": level.data.nbytes,
                 "checksum": level.checksum,
                 "inputs": [{"path": path, "sha256": digest} for path, digest in level.inputs],
+                "missing_inputs": level.missing_inputs,
             },
             "settings": level.settings,
             "grid": {"step": step, "moved_at_most": step / 2} if step else None,

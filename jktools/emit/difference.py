@@ -21,7 +21,7 @@ WIDE = 72
 """Characters of a value that the text shows."""
 LABELS = {
     "edge": "edge of surface", "view": "view from sector", "light": "light of thing", "cloud": "cloud of template",
-    "mover": "motion of template", "hotspot": "hotspot of cog", "colour effect": "colour effect of cog",
+    "motion": "motion of template", "hotspot": "hotspot of cog", "colour effect": "colour effect of cog",
 }  # fmt: skip
 """What the number of a record counts, where it is not its own kind."""
 PLURALS = {"vertex": "vertices", "body": "bodies", "settings": "settings"}

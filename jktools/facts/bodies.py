@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -15,7 +15,7 @@ from jktools.engine.jump import CROUCHED_JUMP_FACTOR, apex, fall_damage, landing
 from jktools.engine.lip import highest_lip
 from jktools.engine.profile import Engine
 from jktools.engine.reattach import reattach_distance
-from jktools.facts.motion import body_of
+from jktools.facts.motion import Held, body_of
 from jktools.model import Level
 from jktools.model.insert_offset import insert_offset
 from jktools.model.templates import Resolved
@@ -48,6 +48,11 @@ class Walker:
         more = f" (and {len(self.names) - 1} more)" if len(self.names) > 1 else ""
         return f"{self.names[0]}{more}"
 
+    @property
+    def comes_down(self) -> bool:
+        """Whether it falls once it has let go of its floor: not in a level whose gravity is 0 or less."""
+        return self.gravity > 0
+
     def hover(self, engine: Engine) -> float:
         """JKU of its centre over its floor."""
         b = self.body
@@ -68,10 +73,13 @@ class Walker:
         return highest_lip(self.body, self.gravity, engine)
 
     def apex(self, *, crouching: bool = False) -> float:
-        """How high it jumps, JKU."""
-        if not (self.body.jumpspeed > 0 and self.gravity > 0):
-            return 0.0
+        """How high it jumps, JKU; without gravity as far as the air lets it, under a negative one without end."""
         speed = self.body.jumpspeed * (CROUCHED_JUMP_FACTOR if crouching else 1.0)
+        if not speed > 0:
+            return 0.0
+        if not self.comes_down:
+            drifts = self.gravity == 0 and self.body.airdrag > 0
+            return speed / self.body.airdrag if drifts else math.inf
         return float(apex(speed, self.body.airdrag, self.gravity).height)
 
     def deadly_drop(self) -> float:
@@ -129,16 +137,29 @@ def _walker(level: Level, held: Resolved) -> Walker | None:
         return None
     if not flags & PhysicsFlag.FLOOR_STICK or flags & PhysicsFlag.FLIES or held.number("movesize") <= 0:
         return None
-    body, hovers = hovering_body(level, held)
+    body, hovers = hovering_body(held, insert_z_of(level))
     gravity = level.header.values.get("gravity", (WORLD_GRAVITY,))
     name = str(getattr(held.owner, "template_name", held.owner.name)).lower()
     return Walker(body, hovers, float(gravity[0]), (name,))
 
 
-def hovering_body(level: Level, held: Resolved) -> tuple[Body, bool]:
-    """What the engine moves of a template, with its model's insert offset; and whether its hover height is known."""
+def hovering_body(held: Held, insert_z: Callable[[str], float | None]) -> tuple[Body, bool]:
+    """What the engine moves of a template, with its model's insert offset; and whether its hover height is known.
+
+    `insert_z` gives that offset's z, JKU, of a model by its name; None where nothing tells it.
+    """
     body = body_of(held)
     if body.height:
         return body, True
-    offset = insert_offset(level.resources, held.name_in("model3d") or "")
-    return replace(body, insert_offset_z=0.0 if offset is None else offset.z), offset is not None
+    offset = insert_z(held.name_in("model3d") or "")
+    return replace(body, insert_offset_z=offset or 0.0), offset is not None
+
+
+def insert_z_of(level: Level) -> Callable[[str], float | None]:
+    """Tell the z of the insert offset of each model that a level's files, or the table of known ones, tell."""
+
+    def insert_z(model: str) -> float | None:
+        offset = insert_offset(level.resources, model)
+        return None if offset is None else offset.z
+
+    return insert_z

@@ -59,6 +59,7 @@ from jktools.geometry import (
 from jktools.geometry.collision import Collision
 from jktools.geometry.engine_sight import SightFaces
 from jktools.geometry.ledges import EdgeWalker
+from jktools.geometry.plan import plan_of
 from jktools.geometry.validity import Int32
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
@@ -115,7 +116,7 @@ class LevelFacts:
     @cached_property
     def collision(self) -> Collision:
         """The sectors as bodies meet them."""
-        return Collision(self.level)
+        return Collision(plan_of(self.level))
 
     @cached_property
     def reach(self) -> Reach:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -94,7 +94,28 @@ def gravity_of(level: Level) -> float:
     return given if math.isfinite(given) else 0.0
 
 
-def body_of(held: Resolved) -> Body:
+class Held(Protocol):
+    """A template as the engine holds it, whether resolved from a level's text or read from a compiled one."""
+
+    @property
+    def type(self) -> str:
+        """As `type` spells it: `actor`."""
+
+    @property
+    def move(self) -> str:
+        """As `move` spells it: `physics`."""
+
+    def number(self, key: str) -> float:
+        """A number that a parameter holds; 0 where nothing sets it."""
+
+    def flags(self, key: str) -> int:
+        """The flags that a parameter holds."""
+
+    def name_in(self, key: str) -> str | None:
+        """The name that a parameter holds, in lower case."""
+
+
+def body_of(held: Held) -> Body:
     """What the engine moves of a template; the hover height, which the model gives, is left out."""
     return Body(
         maxthrust=held.number("maxthrust"),

@@ -148,10 +148,10 @@ def _named(level: Level, things: dict[int, Thing], values: Iterable[str]) -> set
 
 def _put(runner: Runner, site: Site, things: dict[int, Thing]) -> Put | None:
     """What a call does to the place of things; None for a call that leaves it."""
-    name, whom = site.verb.name, ends(runner, site, 0)
+    name = site.verb.name
     if name == TELEPORT:
         sectors, onto = _goals(runner, site, 1, things)
-        return Put(runner, whom, sectors, onto)
+        return Put(runner, ends(runner, site, 0), sectors, onto)
     if name == JUMP and len(site.arguments) > 2:
         number = site.arguments[2].number
         held = set(_values(runner, "sector")) if number is None else {to_int(number)}
@@ -159,7 +159,7 @@ def _put(runner: Runner, site: Site, things: dict[int, Thing]) -> Put | None:
     unknown = name in BY_VECTOR or (
         site.verb.game == "user" and any(argument.kind in ("thing", "sector") for argument in site.verb.args)
     )
-    return Put(runner, whom, None) if unknown else None
+    return Put(runner, ends(runner, site, 0), None) if unknown else None
 
 
 def _goals(

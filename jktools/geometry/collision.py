@@ -9,8 +9,8 @@ import numpy.typing as npt
 
 from jktools.engine.flags import SurfaceFlag
 from jktools.engine.ground import TOUCH, Vector
+from jktools.geometry.plan import Plan
 from jktools.geometry.sphere import Path, Polygon, above, inside, polygon
-from jktools.model import Level
 
 Float64 = npt.NDArray[np.float64]
 
@@ -31,14 +31,15 @@ class SectorFaces:
     either it is nothing: the engine ignores it.
     """
 
-    def __init__(self, level: Level, sector: int) -> None:
-        """Take the sound surfaces of a sector; coordinates are the level's float32 values in float64."""
-        self.flags = level.sectors[sector].flags
+    def __init__(self, plan: Plan, sector: int) -> None:
+        """Take the sound surfaces of a sector; coordinates are the plan's float32 values in float64."""
+        self.flags = int(plan.sector_flags[sector])
         polygons: list[Polygon] = []
         leads: list[int] = []
-        for surface in level.sectors[sector].surfaces:
-            lead = _lead(level, surface.index)
-            face = _polygon(level, surface.index) if lead is not None else None
+        first, count = int(plan.first_surface[sector]), int(plan.surface_count[sector])
+        for surface in range(max(first, 0), min(first + count, len(plan.surface_flags))):
+            lead = _lead(plan, surface)
+            face = _polygon(plan, surface) if lead is not None else None
             if lead is not None and face is not None:
                 polygons.append(face)
                 leads.append(lead)
@@ -88,15 +89,15 @@ class SectorFaces:
 class Collision:
     """The sectors of a level as bodies meet them."""
 
-    def __init__(self, level: Level) -> None:
-        """Look at a level; nothing is computed yet."""
-        self.level = level
+    def __init__(self, plan: Plan) -> None:
+        """Look at a level's geometry; nothing is computed yet."""
+        self.plan = plan
         self._faces: dict[int, SectorFaces] = {}
 
     def faces(self, sector: int) -> SectorFaces:
         """Give a sector's surfaces."""
         if sector not in self._faces:
-            self._faces[sector] = SectorFaces(self.level, sector)
+            self._faces[sector] = SectorFaces(self.plan, sector)
         return self._faces[sector]
 
     def follow(self, sector: int, start: Vector, end: Vector) -> int:
@@ -138,22 +139,21 @@ class Collision:
                         pending.append(lead)
 
 
-def _lead(level: Level, surface: int) -> int | None:
+def _lead(plan: Plan, surface: int) -> int | None:
     """The sector behind a surface, SOLID for a wall, None for what a body does not meet."""
-    view = level.surfaces[surface]
-    adjoin = view.adjoin
-    if adjoin is None:
-        return SOLID if view.flags & SurfaceFlag.COLLISION else None
-    beyond = int(level.adjoin_sector[adjoin.index])
-    return beyond if adjoin.flags & MOVEMENT and beyond >= 0 else SOLID
+    adjoin = int(plan.surface_adjoin[surface])
+    if not 0 <= adjoin < len(plan.adjoin_flags):
+        return SOLID if plan.surface_flags[surface] & SurfaceFlag.COLLISION else None
+    beyond = int(plan.adjoin_sector[adjoin])
+    return beyond if plan.adjoin_flags[adjoin] & MOVEMENT and beyond >= 0 else SOLID
 
 
-def _polygon(level: Level, surface: int) -> Polygon | None:
-    view = level.surfaces[surface]
-    if not level.sound_surfaces[surface] or len(view.vertices) < 3:
+def _polygon(plan: Plan, surface: int) -> Polygon | None:
+    ring = plan.corner_vertex[plan.corner_start[surface] : plan.corner_start[surface + 1]]
+    if not plan.sound_surfaces[surface] or len(ring) < 3:
         return None
-    corners = [(x, y, z) for x, y, z in view.positions.astype(np.float64).tolist()]
-    return polygon(surface, view.flags | SurfaceFlag.COLLISION, corners)
+    corners = [(x, y, z) for x, y, z in plan.positions[ring].astype(np.float64).tolist()]
+    return polygon(surface, int(plan.surface_flags[surface]) | SurfaceFlag.COLLISION, corners)
 
 
 def _crossing(face: Polygon, start: Vector, end: Vector) -> Vector:

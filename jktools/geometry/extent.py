@@ -23,15 +23,23 @@ class Extent(NamedTuple):
 
 
 def sector_extent(level: Level) -> Extent:
-    """Measure each sector's vertices."""
-    table = level.document.sectors
+    """Measure each sector's vertices: those that it lists and the corners of its surfaces, listed or not."""
+    table, surfaces = level.document.sectors, level.document.surfaces
     counts = np.diff(table.vertex_start)
-    sectors = np.flatnonzero(level.sound_sectors & (counts > 0))
+    measured = level.sound_sectors & (counts > 0)
+    sectors = np.flatnonzero(measured)
     box, radius = np.full(len(counts), np.nan), np.full(len(counts), np.nan)
     if len(sectors):
-        owner = np.repeat(np.arange(len(sectors)), counts[sectors])
-        inside = np.repeat(level.sound_sectors, counts)
-        position = level.vertices[table.vertex[inside]].astype(np.float64)
+        first = table.first_surface[sectors]
+        corner_start = surfaces.corner_start[first]
+        corners = surfaces.corner_start[first + table.surface_count[sectors]] - corner_start
+        places = np.repeat(corner_start - np.cumsum(corners) + corners, corners) + np.arange(corners.sum())
+        listed = table.vertex[np.repeat(measured, counts)]
+        numbers = np.arange(len(sectors))
+        owner = np.concatenate([np.repeat(numbers, counts[sectors]), np.repeat(numbers, corners)])
+        order = np.argsort(owner, kind="stable")
+        owner = owner[order]
+        position = level.vertices[np.concatenate([listed, surfaces.corner_vertex[places]])[order]].astype(np.float64)
         starts = np.flatnonzero(np.diff(owner, prepend=-1))
         ends = np.concatenate([np.minimum.reduceat(position, starts), np.maximum.reduceat(position, starts)], axis=1)
         box[sectors] = np.abs(table.bound_box[sectors] - ends).max(axis=1)

@@ -22,13 +22,14 @@ from jktools.syntax.cog import Script
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """What a rule yields; the runner adds code and severity."""
+    """What a rule yields; the runner adds the code, and its severity where the finding has none of its own."""
 
     label: Label
     message: str
     help: str | None = None
     subject: Subject | None = None
     related: tuple[Label, ...] = ()
+    severity: Severity | None = None
 
 
 RULE_FAILED = Code("JK901", "rule-failed", Severity.ERROR)

@@ -78,8 +78,8 @@ def _run(each: Rule, document: Document, facts: Facts, options: Options | None, 
                 continue
             found.append(
                 Diagnostic(
-                    each.code, each.code.severity, finding.label, finding.message, finding.help, finding.subject,
-                    finding.related,
+                    each.code, finding.severity or each.code.severity, finding.label, finding.message, finding.help,
+                    finding.subject, finding.related,
                 )
             )  # fmt: skip
     except Exception as error:

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
+import numpy as np
+
 from jktools.model.resources import Kind, Resources
 from jktools.source.container import canonical
 
@@ -46,5 +48,7 @@ def insert_offset(resources: Resources, name: str) -> InsertOffset | None:
         x, y, z = map(float, model.insert_offset)
         return InsertOffset(x, y, z, model.source.path) if math.isfinite(x + y + z) else None
     if resources.find(Kind.MODEL, name) is None and canonical(name) in KNOWN:
-        return InsertOffset(*KNOWN[canonical(name)], KNOWN_ORIGIN)
+        # A model's file is read in single precision; what is known of one must not differ from it.
+        x, y, z = np.array(KNOWN[canonical(name)], np.float32).tolist()
+        return InsertOffset(x, y, z, KNOWN_ORIGIN)
     return None

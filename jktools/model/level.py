@@ -40,6 +40,10 @@ class Level:
         self.kept: dict[type, object] = {}
         """What higher layers keep with the level, one of a type; no part of it."""
 
+    def anew(self) -> Level:
+        """The same level, of which nothing is worked out and no file looked for yet."""
+        return Level(self.document, self.resources.anew())
+
     def __repr__(self) -> str:
         return (
             f"Level({self.path!r}, {len(self.sectors)} sectors, {len(self.surfaces)} surfaces, "

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import enum
+import hashlib
 from collections import OrderedDict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeVar
+from typing import NamedTuple
 
 from jktools.source import InputError, Member, Source
 from jktools.source.container import canonical
@@ -90,7 +91,20 @@ class Found:
         return self.member.path
 
 
-_Parsed = TypeVar("_Parsed")
+class LookedFor(NamedTuple):
+    """A name that was looked for."""
+
+    folder: str
+    """Where it was found, or the first folder that is searched; empty for a file right beside the level."""
+    name: str
+    """As names are compared."""
+    sha256: bytes | None
+    """Of the file; None where there is none, or its bytes cannot be had."""
+
+    @property
+    def path(self) -> str:
+        """As the game names it: `cog/door.cog`."""
+        return f"{self.folder}/{self.name}" if self.folder else self.name
 
 
 _FOLDERS = tuple(dict.fromkeys(folder for kind in Kind for folder in kind.folders if folder))
@@ -105,6 +119,10 @@ def _base(path: str) -> list[Root]:
             "with them; name the folder that the game is installed in"
         )
     return roots
+
+
+def _place(kind: Kind, name: str, found: Found | None) -> tuple[str, str]:
+    return (kind.folders[0] if found is None else found.folder), name
 
 
 class Library:
@@ -142,6 +160,15 @@ class Library:
         while self._bytes > MOST_CACHED and len(self._kept) > 1:
             _, (let_go, _) = self._kept.popitem(last=False)
             self._bytes -= let_go
+
+    def digest(self, member: Member) -> bytes:
+        """SHA-256 of a file. Raises InputError when its bytes cannot be had."""
+        kept = self.recall(member.path, "sha256")
+        if isinstance(kept, bytes):
+            return kept
+        digest = hashlib.sha256(self.source(member).data).digest()
+        self.keep(member.path, "sha256", len(digest), digest)
+        return digest
 
     def source(self, member: Member) -> Source:
         """The bytes of a file. Raises InputError when they cannot be had."""
@@ -181,6 +208,25 @@ class Resources:
         if key not in self._found:
             self._found[key] = self._search(kind, name)
         return self._found[key]
+
+    def anew(self) -> Resources:
+        """The same files, of which nothing has been looked for yet."""
+        return Resources(self.roots, self.library, has_base=self.has_base, loose=self._loose)
+
+    @property
+    def looked_for(self) -> list[LookedFor]:
+        """All that `find` was asked for so far, each file once, by folder and name."""
+        asked = {_place(kind, name, found): found for (kind, name), found in self._found.items() if name}
+        return [
+            LookedFor(folder, name, None if found is None else self._digest(found))
+            for (folder, name), found in sorted(asked.items(), key=lambda each: each[0])
+        ]
+
+    def _digest(self, found: Found) -> bytes | None:
+        try:
+            return self.library.digest(found.member)
+        except InputError:
+            return None
 
     def default(self, kind: Kind) -> Found | None:
         """The file that stands in for a missing one of a kind."""

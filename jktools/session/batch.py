@@ -9,7 +9,7 @@ from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, field, replace
 from multiprocessing.context import SpawnContext
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from time import perf_counter
 from typing import NamedTuple
 
@@ -25,6 +25,7 @@ from jktools.session.ignores import unused_ignores, with_settings
 from jktools.session.levels import LEVELS, SCRIPT_EXTENSION, discover, read_level, read_member_asset
 from jktools.session.scripts import bound_scripts, vocabulary_of
 from jktools.session.settings import Settings
+from jktools.session.targets import targets
 from jktools.session.usage import MISPLACED_FILE, UNUSED_FILE, KindCount, Usage, added
 from jktools.session.write import write_atomically
 from jktools.source import InputError, Member, Source
@@ -88,7 +89,7 @@ def check(
     rules = select(Selection(settings.select, settings.ignore))
     library = Library(settings.base)
     batch = Batch()
-    members = _members(paths, batch.problems, (*LEVELS, SCRIPT_EXTENSION, *sorted(ASSET_EXTENSIONS)))
+    members = members_of(paths, batch.problems, (*LEVELS, SCRIPT_EXTENSION, *sorted(ASSET_EXTENSIONS)))
     known = {_identity(member) for member in members}
     usage = Usage() if stats or any(r.code in (UNUSED_FILE, MISPLACED_FILE) for r in rules) else None
     used: set[int] = set()
@@ -151,7 +152,7 @@ def _failed(member: Member, error: Exception) -> Diagnostic:
     )  # fmt: skip
 
 
-def _members(paths: Sequence[str], problems: list[str], extensions: Collection[str] = LEVELS) -> list[Member]:
+def members_of(paths: Sequence[str], problems: list[str], extensions: Collection[str] = LEVELS) -> list[Member]:
     """The levels, or what else has one of the extensions, of all paths, each once."""
     members: dict[str, Member] = {}
     for path in paths:
@@ -227,12 +228,12 @@ def build_all(
     settings = settings or Settings()
     built = Built()
     library = Library(settings.base)
-    members = _members(paths, built.problems)
-    targets = _targets(members, out)
+    members = members_of(paths, built.problems)
+    places = targets(members, out)
     jobs = min(jobs or os.cpu_count() or 1, len(members))
     if jobs > 1:
-        return _built_in_processes(built, paths, members, targets, settings, progress, compiling, jobs)
-    for done, (member, target) in enumerate(zip(members, targets, strict=True)):
+        return _built_in_processes(built, paths, members, places, settings, progress, compiling, jobs)
+    for done, (member, target) in enumerate(zip(members, places, strict=True)):
 
         def at_pass(name: str, done: int = done, path: str = member.path) -> None:
             progress(done, len(members), f"{path}: {name}")
@@ -303,7 +304,7 @@ class _Worker:
     """What a process that compiles levels keeps from one to the next."""
 
     def __init__(self, paths: Sequence[str], settings: Settings, compiling: CompileSettings | None) -> None:
-        self.members = _members(paths, [])
+        self.members = members_of(paths, [])
         self.settings, self.compiling = settings, compiling
         self.library = Library(settings.base)
 
@@ -327,7 +328,7 @@ def _built_in_processes(
     built: Built,
     paths: Sequence[str],
     members: Sequence[Member],
-    targets: Sequence[Path],
+    places: Sequence[Path],
     settings: Settings,
     progress: Progress,
     compiling: CompileSettings | None,
@@ -339,13 +340,13 @@ def _built_in_processes(
     plain = replace(settings, severity={}, options={}, ignores=(), verbs=dict(settings.verbs))
     start = (tuple(paths), plain, compiling)
     with ProcessPoolExecutor(jobs, context, _start_worker, start) as pool:
-        waiting = [pool.submit(_work, number, target) for number, target in enumerate(targets)]
+        waiting = [pool.submit(_work, number, target) for number, target in enumerate(places)]
         for done, (member, each) in enumerate(zip(members, waiting, strict=True)):
             progress(done, len(members), member.path)
             try:
                 built.add(each.result())
             except BrokenProcessPool:
-                built.add(_built_alone(done, member, targets[done], context, start))
+                built.add(_built_alone(done, member, places[done], context, start))
     return built
 
 
@@ -368,37 +369,3 @@ def _bug(error: PassError) -> str:
     if os.environ.get(TRACEBACK_VARIABLE):
         raise error
     return f"{error}; the rest compiles with --keep-going, and {TRACEBACK_VARIABLE}=1 shows where it failed"
-
-
-COMPILED_SUFFIX = ".jklb"
-
-
-def _targets(members: Sequence[Member], out: Path) -> list[Path]:
-    """OUT itself for one level when it names a file; else OUT/<stem>, or OUT/<pack>/<stem> when stems clash."""
-    if out.suffix.lower() == COMPILED_SUFFIX:
-        if len(members) > 1:
-            raise InputError(f"cannot write {len(members)} levels into {out}: name a folder")
-        return [out for _ in members]
-    stems = [PurePosixPath(m.name).stem.lower() for m in members]
-    if len(set(stems)) == len(stems):
-        return [out / f"{stem}{COMPILED_SUFFIX}" for stem in stems]
-    places = [out / _folder(m) / f"{stem}{COMPILED_SUFFIX}" for m, stem in zip(members, stems, strict=True)]
-    if len(set(places)) < len(places):  # equal names in packs of equal names: the whole path tells them apart
-        places = [out / _steps(m.path).with_suffix(COMPILED_SUFFIX) for m in members]
-    clash = next((p for i, p in enumerate(places) if p in places[:i]), None)
-    if clash is not None:
-        raise InputError(f"two levels would be written to {clash}: build them into two folders")
-    return places
-
-
-def _folder(member: Member) -> PurePosixPath:
-    """Name of the pack that holds a level, or of the folder with the path below it."""
-    container = _steps(member.path[: len(member.path) - len(member.name)])
-    name = PurePosixPath(container.name)
-    return name if member.place is None else name / PurePosixPath(member.name).parent
-
-
-def _steps(path: str) -> PurePosixPath:
-    """A path as it can lie below OUT: nothing leads up or to the root, and packs are folders."""
-    parts = path.replace(PACK_SEPARATOR, "/").split("/")
-    return PurePosixPath(*(part for part in parts if part not in ("", ".", "..")))

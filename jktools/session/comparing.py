@@ -3,28 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import get_args
 
 from jktools.compiler import CompiledFileError, CompiledLevel, CompileSettings, compile_level, open_compiled
-from jktools.compiler.reader import IDENTIFIER
 from jktools.engine.profile import Engine
 from jktools.geometry import Accuracy
-from jktools.session.batch import COMPILED_SUFFIX
 from jktools.session.levels import load
+from jktools.session.opening import is_compiled
 from jktools.session.settings import Game
-
-
-def is_compiled(path: str) -> bool:
-    """Whether a path names a compiled level: by its ending, or by the mark in its first bytes."""
-    file = Path(path)
-    if file.suffix.lower() == COMPILED_SUFFIX:
-        return True
-    try:
-        with file.open("rb") as stream:
-            return stream.read(8)[4:] == IDENTIFIER
-    except OSError:
-        return False
 
 
 def open_both(

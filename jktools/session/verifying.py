@@ -1,19 +1,21 @@
-"""Verifies a compiled level: against its source where that is at hand, else by what follows from the file itself."""
+"""Verifies a compiled level: against its inputs where they are at hand, else by what follows from the file itself."""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from jktools.compiler import CompiledLevel, CompileError, compile_level
-from jktools.compiler.verification import by_itself, first_difference
+from jktools.compiler.verification import by_itself, changed_inputs, first_difference
+from jktools.geometry import Accuracy
 from jktools.model.resources import Library
 from jktools.session.comparing import game_of, settings_of
 from jktools.session.levels import LEVEL_EXTENSION, discover, read_level
 from jktools.session.settings import Settings
 from jktools.source import InputError, Member
+from jktools.source.container import canonical
 
 FOLDER = "jkl"
 """Of levels, in a pack."""
@@ -27,29 +29,29 @@ class Verdict:
     """A sentence for each check that was passed or could not be made."""
     fault: str | None = None
     """What is wrong, in one sentence; None for a file that passed."""
+    is_stale: bool = False
+    """Whether an input is another one now than the file was compiled from: that is then the fault."""
+    has_source: bool = True
+    """Whether the source was at hand."""
 
 
 def verify(level: CompiledLevel, source: str | None = None, base: Sequence[str] = ()) -> Verdict:
-    """Compile a level again with the settings that its file records, and compare the two section by section.
+    """Compile a level again with the settings that its file records, and compare: first inputs, then every section.
 
     The source is what `source` names, else the input's name beside the file or in a base. Without it, check what the
     file itself tells. The checksum is compared when the file is opened. Raises InputError when `source` cannot be read
     or has another level, or the file's settings are not known here.
     """
-    verdict = Verdict()
     settings = settings_of(level)
     library = Library(base)
-    name, digest = level.inputs[0] if level.inputs else ("", "")
-    found = _source(level, source, library, name, digest)
+    found = _source(level, source, library)
     if found is None:
-        told = f"its source {name} is not at hand (--source PATH): nothing is derived again from it"
-        verdict.told.append(told)
-        for what, fault in by_itself(level, settings.accuracy):
-            if fault:
-                verdict.fault = fault
-                return verdict
-            verdict.told.append(f"{what}: the file says nothing else")
-        return verdict
+        return _by_itself(level, settings.accuracy)
+    then = level.source[1]
+    now = _digest(found)
+    if now != then:
+        return Verdict(fault=f"its source {found.path} is SHA-256 {now}, but was {then}", is_stale=True)
+    verdict = Verdict()
     try:
         again = CompiledLevel(
             compile_level(read_level(found, Settings(game_of(level), base=tuple(base)), library), settings)
@@ -57,6 +59,13 @@ def verify(level: CompiledLevel, source: str | None = None, base: Sequence[str] 
     except CompileError as error:
         verdict.fault = f"its source is the one that it names, but {error}"
         return verdict
+    changes = changed_inputs(level, again)
+    if changes:
+        more = f" (and {len(changes) - 1} more)" if len(changes) > 1 else ""
+        return Verdict(fault=f"its input {changes[0]}{more}", is_stale=True)
+    if level.files is not None:
+        count, missing = len(level.inputs), len(level.missing_inputs)
+        verdict.told.append(f"its inputs are what they were: {count} files, and {missing} names that none has")
     verdict.fault = first_difference(level, again)
     if verdict.fault is None:
         verdict.told.append(f"compiled again from {found.path}: every section is as in the file")
@@ -65,29 +74,46 @@ def verify(level: CompiledLevel, source: str | None = None, base: Sequence[str] 
     return verdict
 
 
-def _source(level: CompiledLevel, source: str | None, library: Library, name: str, digest: str) -> Member | None:
-    """The file that the level was compiled from."""
-    if source is not None:
-        members = discover(source, extensions=(LEVEL_EXTENSION,))
-        found = next((member for member in members if _digest(member) == digest), None)
-        if found is None:
-            raise InputError(f"cannot verify {level.path} by {source}: it holds no file of SHA-256 {digest}")
-        return found
-    return next((member for member in _beside(level, library, name) if _digest(member) == digest), None)
+def _by_itself(level: CompiledLevel, accuracy: Accuracy) -> Verdict:
+    verdict = Verdict(has_source=False)
+    verdict.told.append(f"its source {level.source[0]} is not at hand: nothing is derived again from it")
+    for what, fault in by_itself(level, accuracy):
+        if fault:
+            verdict.fault = fault
+            return verdict
+        verdict.told.append(f"{what}: the file says nothing else")
+    return verdict
 
 
-def _beside(level: CompiledLevel, library: Library, name: str) -> Iterator[Member]:
+def _source(level: CompiledLevel, source: str | None, library: Library) -> Member | None:
+    """The file that the level was compiled from, else one of its name: what became of it."""
+    name, digest = level.source
+    members = _beside(level, library, name) if source is None else discover(source, extensions=(LEVEL_EXTENSION,))
+    named = [member for member in members if _base_name(member.name) == _base_name(name)]
+    found = next((member for member in members if _digest(member) == digest), next(iter(named), None))
+    if found is None and source is not None:
+        raise InputError(f"cannot verify {level.path} by {source}: it holds no file of SHA-256 {digest}")
+    return found
+
+
+def _base_name(name: str) -> str:
+    return PurePosixPath(canonical(name)).name
+
+
+def _beside(level: CompiledLevel, library: Library, name: str) -> list[Member]:
     """Files that have the input's name: beside the compiled file, then in the bases."""
     base_name = PurePosixPath(name).name
+    if not base_name:
+        return []
+    found: list[Member] = []
     folder = Path(level.path).parent
     for place in dict.fromkeys((folder / name, folder / base_name)):
-        if base_name and place.is_file():
-            yield from discover(str(place), extensions=(LEVEL_EXTENSION,))
+        if place.is_file():
+            found += discover(str(place), extensions=(LEVEL_EXTENSION,))
     for root in library.base:
-        for inside in dict.fromkeys((name, f"{FOLDER}/{base_name}", base_name)):
-            member = root.find(inside) if base_name else None
-            if member is not None:
-                yield member
+        members = (root.find(inside) for inside in dict.fromkeys((name, f"{FOLDER}/{base_name}", base_name)))
+        found += [member for member in members if member is not None]
+    return found
 
 
 def _digest(member: Member) -> str:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import NamedTuple
 
 import numpy as np
 
+from jktools.compiler import CompiledLevel
 from jktools.engine import orientation
 from jktools.engine.arrays import Float64
 from jktools.engine.attachment import Event
@@ -22,14 +22,7 @@ from jktools.geometry.collision import Collision
 from jktools.model import Level
 from jktools.trace.level_ground import LevelGround
 from jktools.trace.script import parse
-
-
-class Start(NamedTuple):
-    """Where a body starts: JKU, a sector's index, and degrees."""
-
-    position: Vector
-    sector: int
-    yaw: float = 0.0
+from jktools.trace.stage import Stage, Start, stage_of
 
 
 class LevelSimulation(Simulation):
@@ -39,12 +32,11 @@ class LevelSimulation(Simulation):
     """
 
     def __init__(
-        self, level: Level, start: Start, body: Body, engine: Engine = Engine.RESEARCH, scheme: Scheme | None = None
+        self, stage: Stage, start: Start, body: Body, engine: Engine = Engine.RESEARCH, scheme: Scheme | None = None
     ) -> None:
         """Put a body into a level. Raises ValueError for a sector that does not exist or is broken."""
-        self.level_ground = LevelGround(Collision(level), start.position, start.sector)
-        gravity = level.header.values.get("gravity", np.zeros(1))
-        world = World(gravity=float(gravity[0]), sector=self.level_ground.sector_flags)
+        self.level_ground = LevelGround(Collision(stage.plan), start.position, start.sector)
+        world = World(gravity=stage.gravity, sector=self.level_ground.sector_flags)
         super().__init__(body, self.level_ground, world, engine, scheme, np.array(start.position, np.float64))
         self.look: Float64 = orientation.matrix((0.0, start.yaw, 0.0))
 
@@ -71,7 +63,7 @@ class LevelSimulation(Simulation):
 
 def trace_in_level(
     script: str,
-    level: Level,
+    level: Level | CompiledLevel,
     start: Start,
     *,
     body: Body = WALKPLAYER,
@@ -81,37 +73,35 @@ def trace_in_level(
 ) -> History:
     """Simulate a body in a level under a script's text, from rest on the floor if one is near below its start.
 
+    A compiled level gives the history that its source gives, to the last bit, but at accuracy `fast` (`trace.stage`).
     Raises ScriptError for a line that makes no sense, NotStatedError for what the profile does not say, and
     ValueError for a script that brings its own floors or a start outside the level.
     """
     read = parse(script)
     if read.ground != Steps.flat() or any(phase.ground for phase in read.phases):
         raise ValueError("a script for a level has no floor and no surface lines: the level has its own")
-    simulation = LevelSimulation(level, start, body, engine, scheme)
+    simulation = LevelSimulation(stage_of(level), start, body, engine, scheme)
     simulation.rest_on_ground()
     return simulate(simulation, read.phases, read.seconds, 1 / fps)
 
 
-def body_named(level: Level, name: str) -> Body:
+def body_named(level: Level | CompiledLevel, name: str) -> Body:
     """The body of a template of the level, with the insert offset of its model.
 
     Raises ValueError for a template that the level does not have, that does not move by physics, or whose model, which
     would tell how high it hovers over floors, is not at hand.
     """
-    held = level.resolved_templates.get(name)
-    if held is None:
-        raise ValueError(f"the level has no template {name}")
-    if held.dropped is not None:
-        raise ValueError(f"template {name} is not in play: {held.dropped}")
+    stage = stage_of(level)
+    held = stage.held(name)
     if held.move != "physics":
         raise ValueError(f"template {name} does not move by physics, but move={held.move}")
-    body, hovers = hovering_body(level, held)
+    body, hovers = hovering_body(held, stage.insert_z)
     if not hovers and body.physflags & PhysicsFlag.FLOOR_STICK:
         raise ValueError(f"template {name} hovers over floors by its model {held.name_in('model3d')}, not at hand")
     return body
 
 
-def start_at(level: Level, place: str) -> Start:
+def start_at(level: Level | CompiledLevel, place: str) -> Start:
     """Read where a body starts: a thing's number, which brings its yaw, or `x,y,z,sector`.
 
     Raises ValueError for a thing or sector that the level does not have.
@@ -122,18 +112,12 @@ def start_at(level: Level, place: str) -> Start:
         index = int(words[-1])
     except ValueError:
         raise ValueError(f"{place!r} is neither a thing's number nor x,y,z,sector") from None
+    stage = stage_of(level)
     if len(words) == 1:
-        return _at_thing(level, index)
+        return stage.placed(index)
     if len(words) != 4 or not np.isfinite(numbers).all():
         raise ValueError(f"{place!r} is neither a thing's number nor x,y,z,sector")
-    if not 0 <= index < len(level.sectors):
-        raise ValueError(f"sector {index} is none of the level's {len(level.sectors)}")
+    sectors = len(stage.plan.sector_flags)
+    if not 0 <= index < sectors:
+        raise ValueError(f"sector {index} is none of the level's {sectors}")
     return Start((numbers[0], numbers[1], numbers[2]), index)
-
-
-def _at_thing(level: Level, number: int) -> Start:
-    thing = next((thing for thing in level.things if thing.number == number), None)
-    if thing is None or thing.dropped:
-        raise ValueError(f"the level has no thing {number}" + (f": {thing.dropped}" if thing else ""))
-    x, y, z = thing.position.astype(np.float64).tolist()
-    return Start((x, y, z), thing.sector_index, float(thing.angles[1]))

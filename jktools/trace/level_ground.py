@@ -21,9 +21,9 @@ class LevelGround:
 
     def __init__(self, collision: Collision, position: Vector, sector: int) -> None:
         """Start at a position (JKU) in a sector. Raises ValueError for a sector that does not exist or is broken."""
-        level = collision.level
-        if not (0 <= sector < len(level.sectors) and level.sound_sectors[sector]):
-            raise ValueError(f"sector {sector} is none of the level's {len(level.sectors)}, or is broken")
+        sound = collision.plan.sound_sectors
+        if not (0 <= sector < len(sound) and sound[sector]):
+            raise ValueError(f"sector {sector} is none of the level's {len(sound)}, or is broken")
         self.collision, self.place, self.sector = collision, position, sector
 
     @property

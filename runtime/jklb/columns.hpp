@@ -55,17 +55,26 @@ public:
     // All numbers, row by row.
     std::vector<T> all() const {
         std::vector<T> out(rows_ * static_cast<unsigned>(width_));
-        if (kind_ == kNothing || index_ || count_ || step_ != 0) {
-            T* next = out.data();
+        copy(out.data());
+        return out;
+    }
+
+    // The same into an array of rows() times the width numbers, of a type that holds each T.
+    template <typename Out>
+    void copy(Out* out) const {
+        if (kind_ == kNothing) {
+            for (std::size_t row = 0; row < rows_; ++row) *out++ = (*this)(row);
+        } else if (step_ != 0 || count_) {
             for (std::size_t row = 0; row < rows_; ++row)
-                for (int lane = 0; lane < width_; ++lane) *next++ = (*this)(row, lane);
+                for (int lane = 0; lane < width_; ++lane) *out++ = (*this)(row, lane);
         } else {
-            each_value([&out](std::size_t place, auto value) {
-                if constexpr (std::is_same<decltype(value), double>::value) out[place] = narrow(value);
-                else out[place] = static_cast<T>(value);
+            with_type([this, out](auto type) {
+                using V = decltype(type);
+                if (!index_) spread<V>(out, [](std::size_t row) { return row; });
+                else if (index_bytes_ == 1) spread<V>(out, [this](std::size_t row) { return index_[row]; });
+                else spread<V>(out, [this](std::size_t row) { return read<std::uint16_t>(index_, row); });
             });
         }
-        return out;
     }
 
     // The numbers in place, or null where the file holds them in another form or not at a multiple of their size.
@@ -103,23 +112,32 @@ private:
         return true;
     }
 
-    // Calls visit(place, number) for the numbers as they are stored, in their own type.
+    // Calls visit(V{}) with the type of the numbers as they are stored. Of a column that has values.
     template <typename Visit>
-    void each_value(const Visit& visit) const {
-        const std::size_t count = value_rows_ * static_cast<unsigned>(width_);
-        const auto run = [&](auto type) {
-            for (std::size_t i = 0; i < count; ++i) visit(i, read<decltype(type)>(values_, i));
-        };
+    void with_type(const Visit& visit) const {
         switch (kind_) {
-            case kI8: return run(std::int8_t{});
-            case kU8: return run(std::uint8_t{});
-            case kI16: return run(std::int16_t{});
-            case kU16: return run(std::uint16_t{});
-            case kI32: return run(std::int32_t{});
-            case kU32: return run(std::uint32_t{});
-            case kF32: return run(float{});
-            case kF64: return run(double{});
+            case kI8: return visit(std::int8_t{});
+            case kU8: return visit(std::uint8_t{});
+            case kI16: return visit(std::int16_t{});
+            case kU16: return visit(std::uint16_t{});
+            case kI32: return visit(std::int32_t{});
+            case kU32: return visit(std::uint32_t{});
+            case kF32: return visit(float{});
+            case kF64: return visit(double{});
             case kNothing: return;
+        }
+    }
+
+    template <typename V, typename Out, typename Place>
+    void spread(Out* out, const Place& place) const {
+        const std::size_t width = static_cast<unsigned>(width_);
+        for (std::size_t row = 0; row < rows_; ++row) {
+            const std::size_t first = place(row) * width;
+            for (std::size_t lane = 0; lane < width; ++lane) {
+                const V value = read<V>(values_, first + lane);
+                if constexpr (std::is_same<V, double>::value) *out++ = narrow(value);
+                else *out++ = static_cast<T>(value);
+            }
         }
     }
 
@@ -256,22 +274,51 @@ private:
     // Whether all values are within bounds, those that no row takes included: a quick look that spares the long one.
     template <typename T>
     static bool all_within(const Column<T>& c, std::int64_t least, std::int64_t bound) {
-        std::int64_t low = std::numeric_limits<std::int64_t>::max(), high = std::numeric_limits<std::int64_t>::min();
-        c.each_value([&](std::size_t, auto value) {
-            low = std::min(low, static_cast<std::int64_t>(static_cast<T>(value)));
-            high = std::max(high, static_cast<std::int64_t>(static_cast<T>(value)));
+        bool within = false;
+        c.with_type([&](auto type) {
+            using V = decltype(type);
+            // A type that holds other numbers than T is left to the long look.
+            if constexpr (std::is_integral<V>::value && sizeof(V) <= sizeof(T)) {
+                using Read = std::conditional_t<sizeof(V) == sizeof(T), T, V>;
+                const Range found = range<Read>(c.values_, c.value_rows_ * static_cast<unsigned>(c.width_));
+                const bool kept = std::is_signed<T>::value || found.low >= 0;
+                within = kept && (found.low > found.high || (found.low >= least && found.high < bound));
+            }
         });
-        return c.kind_ != Column<T>::kNothing && (low > high || (low >= least && high < bound));
+        return within;
     }
 
     template <typename T>
     static std::size_t greatest_index(const Column<T>& c) {
-        std::size_t most = 0;
-        for (std::size_t i = 0; i < c.index_rows_; ++i)
-            most = std::max<std::size_t>(most, c.index_bytes_ == 1
-                                                   ? Column<T>::template read<std::uint8_t>(c.index_, i)
-                                                   : Column<T>::template read<std::uint16_t>(c.index_, i));
-        return most;
+        if (!c.index_rows_) return 0;
+        return static_cast<std::size_t>(c.index_bytes_ == 1 ? range<std::uint8_t>(c.index_, c.index_rows_).high
+                                                            : range<std::uint16_t>(c.index_, c.index_rows_).high);
+    }
+
+    struct Range {
+        std::int64_t low, high;
+    };
+
+    // The least and the greatest of whole numbers that lie one after the other; low above high of none. By lanes that do
+    // not wait for each other, which compilers make vector instructions of.
+    template <typename V>
+    static Range range(const unsigned char* data, std::size_t count) {
+        constexpr std::size_t kLanes = 64 / sizeof(V);
+        if (!count) return {0, -1};
+        V low[kLanes], high[kLanes], block[kLanes];
+        const auto take = [&](std::size_t from, std::size_t lanes) {
+            std::memcpy(block, data + from * sizeof(V), lanes * sizeof(V));
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                low[k] = block[k] < low[k] ? block[k] : low[k];
+                high[k] = high[k] < block[k] ? block[k] : high[k];
+            }
+        };
+        std::memcpy(block, data, sizeof(V));
+        for (std::size_t k = 0; k < kLanes; ++k) low[k] = high[k] = block[k] = block[0];
+        std::size_t i = 0;
+        for (; i + kLanes <= count; i += kLanes) take(i, kLanes);
+        if (i < count) take(i, count - i);  // the other lanes still hold numbers of the column
+        return {*std::min_element(low, low + kLanes), *std::max_element(high, high + kLanes)};
     }
 
     void say(const char* name, const std::string& what) { fault_ = std::string(name) + " " + what; }

@@ -1,9 +1,11 @@
 // Reads compiled levels (.jklb) of jktools and answers questions about them: see README.md.
 #pragma once
 
+#include "basins.hpp"
 #include "drop.hpp"
+#include "ledges.hpp"
 #include "level.hpp"
 #include "locate.hpp"
 #include "mesh.hpp"
 #include "sight.hpp"
-#include "walking.hpp"
+#include "visible.hpp"

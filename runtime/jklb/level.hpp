@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "mapping.hpp"
 #include "sections_generated.hpp"
@@ -107,9 +108,11 @@ private:
         check_level(checks, text_);
         if (!checks.fault().empty()) return;
         strings_ = text_.text_start.rows() - 1;
-        bool good = true;
+        const std::vector<std::uint32_t> start = text_.text_start.all();
+        const std::uint8_t* octets = root_->text() ? root_->text()->data() : nullptr;
+        bool good = strings_ == 0 || octets;
         for (std::size_t i = 0; good && i < strings_; ++i)
-            good = text_.text_start(i) < text_.text_start(i + 1) && text_.text(text_.text_start(i + 1) - 1) == 0;
+            good = start[i] < start[i + 1] && octets[start[i + 1] - 1] == 0;
         if (!good) checks.refuse("level.text should have a zero byte behind each string, but has not");
     }
 
@@ -130,24 +133,30 @@ private:
         if (!sections_.visibility) return;
         const Visibility& v = *sections_.visibility;
         const std::size_t wanted = (geometry().sector_flags.rows() + 7) / 8;
-        for (std::size_t i = 0; i < v.sector.rows(); ++i) {
-            const std::size_t end = v.row_start(i + 1);
-            std::size_t bytes = 0, run = 0;  // of the zeros before
-            bool good = true;
-            for (std::size_t k = v.row_start(i); good && k < end; ++k) {
-                if (v.row(k) != 0) {
-                    ++bytes;
-                    run = 0;
-                    continue;
-                }
-                // A run that could be longer ends in 255; no run of none.
-                good = ++k < end && v.row(k) != 0 && (run == 0 || run == 255);
-                if (good) bytes += run = v.row(k);
-            }
-            if (!good || bytes != wanted)
+        const std::vector<std::uint32_t> start = v.row_start.all();
+        std::vector<std::uint8_t> made;
+        const std::uint8_t* octets = v.row.plain();
+        if (!octets) made = v.row.all(), octets = made.data();
+        for (std::size_t i = 0; i < v.sector.rows(); ++i)
+            if (!expands(octets + start[i], octets + start[i + 1], wanted))
                 return checks.refuse("visibility.row " + std::to_string(i) + " does not expand to " +
                                      std::to_string(wanted) + " bytes");
+    }
+
+    // Whether a row of visible sectors stands for so many bytes: a zero is followed by how many zeros it stands for.
+    static bool expands(const std::uint8_t* at, const std::uint8_t* end, std::size_t wanted) {
+        std::size_t bytes = 0, run = 0;  // of the zeros before
+        for (; at != end; ++at) {
+            if (*at != 0) {
+                ++bytes;
+                run = 0;
+                continue;
+            }
+            // A run that could be longer ends in 255; no run of none.
+            if (++at == end || *at == 0 || (run != 0 && run != 255)) return false;
+            bytes += run = *at;
         }
+        return bytes == wanted;
     }
 
     Mapping mapping_;

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "mesh.hpp"
@@ -16,15 +17,16 @@ struct Location {
     Index touching;  // on how many boundaries it lies: two on a shared face
 };
 
-// A mesh made ready to locate points; the mesh must outlive it. Costs a millisecond or two for a large level.
+// A mesh made ready to locate points; the mesh must outlive it. README.md tells what it costs.
 class Locator {
 public:
     explicit Locator(const Mesh& mesh) : mesh_(mesh), rooms_(static_cast<std::size_t>(mesh.sectors())) {
+        const std::vector<Index> place = places(mesh);
         std::vector<Edge> edges;
         for (Index s = 0; s < mesh.sectors(); ++s) {
             Room& room = rooms_[static_cast<std::size_t>(s)];
             edges.clear();
-            for (Index i = mesh.first_surface(s); i < mesh.end_surface(s); ++i) take(i, room, edges);
+            for (Index i = mesh.first_surface(s); i < mesh.end_surface(s); ++i) take(i, place, room, edges);
             room.closed = balanced(edges);
         }
     }
@@ -52,36 +54,56 @@ private:
         bool closed = false;
     };
 
-    // An edge from the lesser of its ends to the greater, and 1 where the surface runs that way, else -1.
-    struct Edge {
-        std::array<double, 6> ends;
-        int way;
-    };
+    // An edge between two places: the lesser, the greater, and in the last bit whether the surface runs that way.
+    using Edge = std::uint64_t;
 
     static constexpr double kFar = std::numeric_limits<double>::infinity();
 
-    void take(Index surface, Room& room, std::vector<Edge>& edges) const {
+    // A number for each vertex, the same for vertices at the same place.
+    static std::vector<Index> places(const Mesh& mesh) {
+        std::vector<Index> order(static_cast<std::size_t>(mesh.vertices()));
+        std::iota(order.begin(), order.end(), 0);
+        const auto before = [&mesh](Index a, Index b) {
+            const Point p = mesh.vertex(a), q = mesh.vertex(b);
+            for (int k = 0; k < 3; ++k)
+                if (p[k] != q[k]) return p[k] < q[k];
+            return false;
+        };
+        // What is not finite has no order; no known sector has it.
+        const auto whole = [&mesh](Index v) { return Mesh::takes(mesh.vertex(v)); };
+        const auto end = std::partition(order.begin(), order.end(), whole);
+        std::sort(order.begin(), end, before);
+        std::vector<Index> place(order.size());
+        for (auto at = order.begin(); at != end; ++at) {
+            const bool same = at != order.begin() && !before(at[-1], at[0]);
+            place[static_cast<std::size_t>(*at)] = same ? place[static_cast<std::size_t>(at[-1])] : *at;
+        }
+        return place;
+    }
+
+    void take(Index surface, const std::vector<Index>& place, Room& room, std::vector<Edge>& edges) const {
+        const Mesh::Box& box = mesh_.box(surface);
+        for (int k = 0; k < 3; ++k) {
+            room.low[k] = std::min(room.low[k], static_cast<double>(box.low[k]));
+            room.high[k] = std::max(room.high[k], static_cast<double>(box.high[k]));
+        }
         const Index corners = mesh_.corners(surface);
         for (Index i = 0; i < corners; ++i) {
-            const Point here = mesh_.corner(surface, i), there = mesh_.corner(surface, (i + 1) % corners);
-            for (int k = 0; k < 3; ++k) {
-                room.low[k] = std::min(room.low[k], here[k]);
-                room.high[k] = std::max(room.high[k], here[k]);
-            }
-            const std::array<double, 6> ahead{here[0], here[1], here[2], there[0], there[1], there[2]};
-            const std::array<double, 6> back{there[0], there[1], there[2], here[0], here[1], here[2]};
-            if (ahead < back) edges.push_back({ahead, 1});
-            if (back < ahead) edges.push_back({back, -1});
+            const auto here = static_cast<Edge>(place[static_cast<std::size_t>(mesh_.corner_vertex(surface, i))]);
+            const auto there = static_cast<Edge>(
+                place[static_cast<std::size_t>(mesh_.corner_vertex(surface, i + 1 < corners ? i + 1 : 0))]);
+            if (here < there) edges.push_back(here << 32 | there << 1 | 1);
+            if (there < here) edges.push_back(there << 32 | here << 1);
         }
     }
 
     // Whether as many edges run one way as the other between any two places: the sector is closed.
     static bool balanced(std::vector<Edge>& edges) {
-        std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.ends < b.ends; });
+        std::sort(edges.begin(), edges.end());
         int balance = 0;
         for (std::size_t i = 0; i < edges.size(); ++i) {
-            balance += edges[i].way;
-            if (i + 1 < edges.size() && edges[i + 1].ends == edges[i].ends) continue;
+            balance += edges[i] & 1 ? 1 : -1;
+            if (i + 1 < edges.size() && edges[i + 1] >> 1 == edges[i] >> 1) continue;
             if (balance != 0) return false;
         }
         return true;
@@ -102,10 +124,9 @@ private:
         for (Index s = mesh_.first_surface(sector); s < mesh_.end_surface(sector); ++s) {
             const Index triangles = mesh_.triangles(s);
             for (Index i = 0; i < triangles; ++i) {
-                if (mesh_.degenerate(s, i)) continue;
                 const Triangle t = mesh_.triangle(s, i);
                 if (apart(t, p)) continue;
-                const int side = orient3d(t.a, t.b, t.c, p).sign;
+                const int side = jklb::side(t, p).sign;
                 if (side == 0 && on(t, p)) return kOn;
                 const int facing = covers(t, p);
                 if (facing && side == -facing) turns += facing;
@@ -153,10 +174,10 @@ private:
         for (Index s = mesh_.first_surface(sector); s < mesh_.end_surface(sector); ++s) {
             const Index triangles = mesh_.triangles(s);
             for (Index i = 0; i < triangles; ++i) {
-                if (mesh_.degenerate(s, i)) continue;
                 const Triangle t = mesh_.triangle(s, i);
-                const int side = orient3d(t.a, t.b, t.c, p).sign;
+                const int side = jklb::side(t, p).sign;
                 if (side < 0) return kOutside;
+                if (side == 0 && collinear(t.a, t.b, t.c)) continue;
                 if (side == 0) place = kOn;
                 else if (place == kOutside) place = kInside;
             }

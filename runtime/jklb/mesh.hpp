@@ -36,8 +36,7 @@ class Mesh {
 public:
     explicit Mesh(const Level& level) : Mesh(level.geometry()) {}
     explicit Mesh(const Geometry& g) {
-        const std::vector<float> vertices = g.vertices.all();
-        take_surfaces(g, vertices), take_sectors(g, vertices), take_ways(g);
+        take_vertices(g), take_surfaces(g), take_sectors(g), take_ways(g);
     }
 
     Index sectors() const { return static_cast<Index>(known_.size()); }
@@ -54,8 +53,7 @@ public:
     Index leads_to(Index surface) const { return leads_to_[index(surface)]; }
     Index passes_to(Index surface) const { return passes_to_[index(surface)]; }
 
-    // Triangle i of the fan of a surface, 0 <= i < triangles(surface), and whether its corners lie on one line: such a
-    // triangle counts for nothing. Of a surface of a known sector.
+    // Triangle i of the fan of a surface, 0 <= i < triangles(surface). Of a surface of a known sector.
     Index triangles(Index surface) const {
         const Index corners = start_[index(surface) + 1] - start_[index(surface)];
         return corners > 2 ? corners - 2 : 0;
@@ -64,12 +62,15 @@ public:
         return {corner(surface, 0), corner(surface, i + 1), corner(surface, i + 2)};
     }
 
-    bool degenerate(Index surface, Index i) const { return degenerate_[index(surface)] >> i & 1; }
-
     Index corners(Index surface) const { return start_[index(surface) + 1] - start_[index(surface)]; }
-    Point corner(Index surface, Index i) const {
-        return &position_[3 * index(vertex_[index(start_[index(surface)] + i)])];
-    }
+    // Whether it can be computed with.
+    bool sound(Index surface) const { return unsound_[index(surface)] == unsound_[index(surface) + 1]; }
+
+    Index corner_vertex(Index surface, Index i) const { return vertex_[index(start_[index(surface)] + i)]; }
+    Point corner(Index surface, Index i) const { return vertex(corner_vertex(surface, i)); }
+
+    Index vertices() const { return static_cast<Index>(position_.size() / 3); }
+    Point vertex(Index i) const { return &position_[3 * index(i)]; }
 
     // The least and the greatest corner of a surface's box: exact, since vertices are float32.
     struct Box {
@@ -88,95 +89,105 @@ private:
     static bool takes(double x) { return std::abs(x) < kGreatest; }
     static std::size_t index(Index i) { return static_cast<std::size_t>(i); }
 
-    void take_surfaces(const Geometry& g, const std::vector<float>& vertices) {
-        const std::vector<std::uint32_t> start = g.surface_corner_start.all();
-        start_.assign(start.begin(), start.end());
+    void take_vertices(const Geometry& g) {
+        position_.resize(3 * g.vertices.rows());
+        g.vertices.copy(position_.data());
+        // What is not finite stays so times 0, and shows in the sum.
+        double sum = 0;
+        for (const double x : position_) sum += x * 0;
+        all_finite_ = sum == 0;
+    }
+
+    void take_surfaces(const Geometry& g) {
+        start_.resize(g.surface_corner_start.rows());
+        g.surface_corner_start.copy(start_.data());
         vertex_ = g.corner_vertex.all();
-        position_.assign(vertices.begin(), vertices.end());
         box_.resize(g.surface_flags.rows());
-        degenerate_.resize(box_.size());
-        unsound_.assign(box_.size() + 1, 0);
+        unsound_.resize(box_.size() + 1);
         for (Index s = 0; s < static_cast<Index>(box_.size()); ++s) {
-            const bool good = sound(s);
+            const bool good = corners(s) <= kMostCorners && finite(vertex_.data() + start_[index(s)], corners(s));
             unsound_[index(s) + 1] = unsound_[index(s)] + !good;
-            if (!good) continue;
-            box_[index(s)] = box_around(s);
-            degenerate_[index(s)] = marks(s);
+            if (good) box_[index(s)] = box_around(s);
         }
     }
 
-    bool sound(Index surface) const {
-        if (corners(surface) > kMostCorners) return false;
-        for (Index i = 0; i < corners(surface); ++i)
-            for (int k = 0; k < 3; ++k)
-                if (!std::isfinite(corner(surface, i)[k])) return false;
+    bool finite(const Index* vertices, Index count) const {
+        if (all_finite_) return true;
+        for (Index i = 0; i < count; ++i)
+            if (!takes(vertex(vertices[i]))) return false;
         return true;
     }
 
     Box box_around(Index surface) const {
-        constexpr float kFar = std::numeric_limits<float>::infinity();
-        Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-        for (Index i = 0; i < corners(surface); ++i)
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        double low[3] = {kFar, kFar, kFar}, high[3] = {-kFar, -kFar, -kFar};
+        for (Index i = 0; i < corners(surface); ++i) {
+            const Point p = corner(surface, i);
             for (int k = 0; k < 3; ++k) {
-                const auto x = static_cast<float>(corner(surface, i)[k]);
-                box.low[k] = std::min(box.low[k], x);
-                box.high[k] = std::max(box.high[k], x);
+                low[k] = p[k] < low[k] ? p[k] : low[k];
+                high[k] = p[k] > high[k] ? p[k] : high[k];
             }
+        }
+        Box box;
+        for (int k = 0; k < 3; ++k) {
+            box.low[k] = static_cast<float>(low[k]);
+            box.high[k] = static_cast<float>(high[k]);
+        }
         return box;
     }
 
-    // A bit for each triangle whose corners lie on one line.
-    std::uint32_t marks(Index surface) const {
-        std::uint32_t marks = 0;
-        for (Index i = 0; i < triangles(surface); ++i) {
-            const Triangle t = triangle(surface, i);
-            marks |= static_cast<std::uint32_t>(collinear(t.a, t.b, t.c)) << i;
-        }
-        return marks;
-    }
-
-    void take_sectors(const Geometry& g, const std::vector<float>& vertices) {
+    void take_sectors(const Geometry& g) {
         const std::size_t count = g.sector_flags.rows();
-        const std::vector<std::uint8_t> finite = finite_sectors(g, vertices);
-        known_.resize(count), under_water_.resize(count), first_.resize(count), end_.resize(count);
+        const std::vector<std::uint8_t> finite = finite_sectors(g);
+        const std::vector<std::uint32_t> flags = g.sector_flags.all();
+        const std::vector<Index> surfaces = g.sector_surface_count.all();
+        first_ = g.sector_first_surface.all();
+        known_.resize(count), under_water_.resize(count), end_.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
-            const Index first = g.sector_first_surface(i), end = first + g.sector_surface_count(i);
+            const Index first = first_[i], end = first + surfaces[i];
             known_[i] = finite[i] && unsound_[index(first)] == unsound_[index(end)];
             first_[i] = known_[i] ? first : 0;
             end_[i] = known_[i] ? end : 0;
-            under_water_[i] = (g.sector_flags(i) & kSectorUnderwater) != 0;
+            under_water_[i] = (flags[i] & kSectorUnderwater) != 0;
         }
     }
 
     // Whether all vertices that a sector lists are finite.
-    static std::vector<std::uint8_t> finite_sectors(const Geometry& g, const std::vector<float>& vertices) {
+    std::vector<std::uint8_t> finite_sectors(const Geometry& g) const {
+        std::vector<std::uint8_t> found(g.sector_flags.rows(), 1);
+        if (all_finite_) return found;
         const std::vector<Index> own = g.sector_vertex.all();
         const std::vector<std::uint32_t> start = g.sector_vertex_start.all();
-        std::vector<std::uint8_t> finite(g.sector_flags.rows(), 1);
-        for (std::size_t s = 0; s < finite.size(); ++s)
-            for (std::size_t i = start[s]; i < start[s + 1]; ++i)
-                for (std::size_t k = 0; k < 3; ++k)
-                    if (!std::isfinite(vertices[3 * index(own[i]) + k])) finite[s] = 0;
-        return finite;
+        for (std::size_t s = 0; s < found.size(); ++s)
+            found[s] = finite(own.data() + start[s], static_cast<Index>(start[s + 1] - start[s]));
+        return found;
     }
 
-    // An adjoin leads into the sector whose surface carries its mirror.
     void take_ways(const Geometry& g) {
-        leads_to_.resize(start_.size() - 1), passes_to_.resize(start_.size() - 1);
+        const std::vector<Index> behind = sectors_behind(g), adjoins = g.surface_adjoin.all();
+        const std::vector<std::uint32_t> adjoin_flags = g.adjoin_flags.all(), flags = g.surface_flags.all();
+        leads_to_.resize(flags.size()), passes_to_.resize(flags.size());
         for (std::size_t i = 0; i < leads_to_.size(); ++i) {
-            const Index adjoin = g.surface_adjoin(i);
-            const std::uint32_t flags = adjoin < 0 ? 0 : g.adjoin_flags(index(adjoin));
-            const Index behind = adjoin < 0 ? -1 : sector_behind(g, index(adjoin));
-            const bool solid = adjoin >= 0 || (g.surface_flags(i) & kSurfaceCollision);
-            const Index stays = !solid ? kAbsent : (g.surface_flags(i) & kSurfaceFloor) ? kCarries : kStops;
-            leads_to_[i] = (flags & kAdjoinVisible) && behind >= 0 && known(behind) ? behind : kBlocks;
-            passes_to_[i] = (flags & kAdjoinMovement) && behind >= 0 ? behind : stays;
+            const bool has_adjoin = adjoins[i] >= 0;
+            const std::uint32_t through = has_adjoin ? adjoin_flags[index(adjoins[i])] : 0;
+            const Index sector = has_adjoin ? behind[index(adjoins[i])] : -1;
+            const bool solid = has_adjoin || (flags[i] & kSurfaceCollision);
+            const Index stays = !solid ? kAbsent : (flags[i] & kSurfaceFloor) ? kCarries : kStops;
+            leads_to_[i] = (through & kAdjoinVisible) && sector >= 0 && known(sector) ? sector : kBlocks;
+            passes_to_[i] = (through & kAdjoinMovement) && sector >= 0 ? sector : stays;
         }
     }
 
-    static Index sector_behind(const Geometry& g, std::size_t adjoin) {
-        const Index surface = g.adjoin_surface(index(g.adjoin_mirror(adjoin)));
-        return surface < 0 ? -1 : g.surface_sector(index(surface));
+    // Of each adjoin: the sector whose surface carries its mirror, or -1.
+    static std::vector<Index> sectors_behind(const Geometry& g) {
+        const std::vector<Index> mirror = g.adjoin_mirror.all(), surface = g.adjoin_surface.all();
+        const std::vector<Index> sector = g.surface_sector.all();
+        std::vector<Index> behind(mirror.size());
+        for (std::size_t i = 0; i < behind.size(); ++i) {
+            const Index carries = surface[index(mirror[i])];
+            behind[i] = carries < 0 ? -1 : sector[index(carries)];
+        }
+        return behind;
     }
 
     std::vector<double> position_;  // x y z of each vertex
@@ -184,8 +195,8 @@ private:
     std::vector<Index> start_, leads_to_, passes_to_, first_, end_;
     std::vector<Index> unsound_;  // surfaces before each that cannot be computed with
     std::vector<Box> box_;
-    std::vector<std::uint32_t> degenerate_;  // bit i for triangle i
     std::vector<std::uint8_t> known_, under_water_;
+    bool all_finite_ = false;
 };
 
 }  // namespace jklb

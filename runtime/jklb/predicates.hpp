@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <initializer_list>
+#include <utility>
 
 #include "exact.hpp"
 
@@ -54,15 +55,13 @@ inline bool fit(std::initializer_list<Point> points) {
     return true;
 }
 
-}  // namespace detail
-
-// Six times the volume of a, b, c, p: positive when p lies on the side from which a, b, c turn counter-clockwise.
+// orient3d as doubles have it, sign 0 in doubt.
 //
 // The bound, u = 2^-53: a difference is off by u of itself. Of a product of two such, less another, the rounding of both
 // products and of the difference is 2 u of the sum S of their magnitudes; times the third difference, 3 u of S times it.
 // That the differences themselves were rounded adds 3 u of the same, and each of the two sums u: 8 u of the sum of all
 // S times their third, to first order. 10 u leaves room for the rest and for the rounding of the bound.
-inline Signed orient3d(Point a, Point b, Point c, Point p) {
+inline Signed rough_orient3d(Point a, Point b, Point c, Point p) {
     const double ax = a[0] - p[0], ay = a[1] - p[1], az = a[2] - p[2];
     const double bx = b[0] - p[0], by = b[1] - p[1], bz = b[2] - p[2];
     const double cx = c[0] - p[0], cy = c[1] - p[1], cz = c[2] - p[2];
@@ -70,15 +69,25 @@ inline Signed orient3d(Point a, Point b, Point c, Point p) {
     const double value = (cb - bc) * az + (ac - ca) * bz + (ba - ab) * cz;
     const double sum = (std::abs(bc) + std::abs(cb)) * std::abs(az) + (std::abs(ca) + std::abs(ac)) * std::abs(bz) +
                        (std::abs(ab) + std::abs(ba)) * std::abs(cz);
-    const double error = 10 * detail::kUnit * sum + detail::kUnderflow;
-    if (value > error) return {value, error, 1};
-    if (value < -error) return {value, error, -1};
+    const double error = 10 * kUnit * sum + kUnderflow;
+    return {value, error, (value > error) - (value < -error)};
+}
+
+// The same with its sign, of one that is in doubt.
+inline Signed sure_orient3d(Point a, Point b, Point c, Point p, Signed rough) {
     // Points with a coordinate in common: the usual doubt in levels, which are built on a grid.
-    if ((ax == 0 && bx == 0 && cx == 0) || (ay == 0 && by == 0 && cy == 0) || (az == 0 && bz == 0 && cz == 0))
-        return {0, 0, 0};
-    const int sign = detail::fit({a, b, c, p}) ? detail::volume<Expansion>(a, b, c, p).sign()
-                                               : detail::volume<Dyadic>(a, b, c, p).sign();
-    return {value, error, sign};
+    for (int k = 0; k < 3; ++k)
+        if (a[k] == p[k] && b[k] == p[k] && c[k] == p[k]) return {0, 0, 0};
+    rough.sign = fit({a, b, c, p}) ? volume<Expansion>(a, b, c, p).sign() : volume<Dyadic>(a, b, c, p).sign();
+    return rough;
+}
+
+}  // namespace detail
+
+// Six times the volume of a, b, c, p: positive when p lies on the side from which a, b, c turn counter-clockwise.
+inline Signed orient3d(Point a, Point b, Point c, Point p) {
+    const Signed rough = detail::rough_orient3d(a, b, c, p);
+    return rough.sign ? rough : detail::sure_orient3d(a, b, c, p, rough);
 }
 
 namespace detail {
@@ -124,6 +133,14 @@ struct Way {
 struct Triangle {
     Point a, b, c;
 };
+
+// orient3d of a triangle and a point. Much faster where the corners lie on one line, as fans of surfaces often have it.
+inline Signed side(const Triangle& t, Point p) {
+    const Signed rough = detail::rough_orient3d(t.a, t.b, t.c, p);
+    if (rough.sign) return rough;
+    if (collinear(t.a, t.b, t.c)) return {0, 0, 0};
+    return detail::sure_orient3d(t.a, t.b, t.c, p, rough);
+}
 
 // Where a way meets the plane of a triangle: at t = above / fall, fall > 0 and above >= 0.
 struct Meeting {
@@ -177,18 +194,37 @@ inline bool odd(double x) {
 
 // The double nearest to above / fall, ties to even: `guess` moved until neither neighbour is nearer. Positive numbers.
 template <typename Number>
-double nearest(const Fraction<Number>& t, double guess) {
-    const Number twice = t.above + t.above;
+double nearest(const Number& above, const Number& fall, double guess) {
+    const Number twice = above + above;
     for (bool up : {true, false})
         for (;;) {
             const double other = guess == 0 && !up ? guess : next(guess, up);
             if (other == guess) break;
             // Whether above / fall lies beyond the middle between the two.
-            const int beyond = (twice - Number::difference(guess, -other) * t.fall).sign() * (up ? 1 : -1);
+            const int beyond = (twice - Number::difference(guess, -other) * fall).sign() * (up ? 1 : -1);
             if (beyond < 0 || (beyond == 0 && !odd(guess))) break;
             guess = other;
         }
     return guess;
+}
+
+// The double nearest to above / fall, ties to even. exact(Number()) is the pair of them, fall positive, in expansions
+// where these hold what they are made of.
+template <typename Exact>
+double quotient(bool fits, const Exact& exact) {
+    const auto of = [](const auto& above, const auto& fall, const auto& guess) {
+        if (above.sign() < 0) return -nearest(decltype(above + above)() - above, fall, guess());
+        return nearest(above, fall, guess());
+    };
+    if (fits) {
+        const auto [above, fall] = exact(Expansion());
+        if (above.sign() == 0) return 0;
+        const double guess = std::abs(above.about() / fall.about());
+        if (guess > 0x1p-600) return of(above, fall, [guess] { return guess; });  // its last bit times fall: no underflow
+    }
+    const auto pair = exact(Dyadic());
+    if (pair.first.sign() == 0) return 0;
+    return of(pair.first, pair.second, [&pair] { return rough_quotient(pair.first, pair.second); });
 }
 
 }  // namespace detail
@@ -215,13 +251,10 @@ inline double depth(const Meeting& met, const Way& way) {
     const Triangle& t = met.triangle;
     if (t.a[2] == t.b[2] && t.a[2] == t.c[2]) return way.from[2] - t.a[2];
     if (met.above.sign == 0) return 0;
-    if (detail::fit(t, way)) {
-        const detail::Fraction<Expansion> exact(t, way);
-        const double guess = exact.above.about() / exact.fall.about();
-        if (guess > 0x1p-600) return detail::nearest(exact, guess);  // its last bit times `fall` does not underflow
-    }
-    const detail::Fraction<Dyadic> exact(t, way);
-    return detail::nearest(exact, rough_quotient(exact.above, exact.fall));
+    return detail::quotient(detail::fit(t, way), [&](auto number) {
+        const detail::Fraction<decltype(number)> exact(t, way);
+        return std::pair(exact.above, exact.fall);
+    });
 }
 
 }  // namespace jklb

@@ -459,6 +459,34 @@ struct Basins {
           left(column<std::uint8_t>(table.left(), table.left_packed(), 1, body.rows())) {}
 };
 
+struct Models {
+    Column<std::uint32_t> name;
+    Column<float> insert_offset;
+    Column<float> radius;
+    Column<std::uint8_t> known;
+
+    Models() = default;
+    Models(const jktools::Models& table, unsigned minor)
+        : name(minor >= 2 ? column<std::uint32_t>(table.name(), table.name_packed(), 1, 0) : Column<std::uint32_t>()),
+          insert_offset(minor >= 2 ? column<float>(table.insert_offset(), table.insert_offset_packed(), 3, name.rows()) : Column<float>()),
+          radius(minor >= 2 ? column<float>(table.radius(), table.radius_packed(), 1, name.rows()) : Column<float>()),
+          known(minor >= 2 ? column<std::uint8_t>(table.known(), table.known_packed(), 1, name.rows()) : Column<std::uint8_t>()) {}
+};
+
+struct Files {
+    Column<std::uint32_t> name;
+    Column<std::uint8_t> sha256;
+    Column<std::uint32_t> folder;
+    Column<std::uint8_t> found;
+
+    Files() = default;
+    Files(const jktools::Files& table, unsigned minor)
+        : name(minor >= 2 ? column<std::uint32_t>(table.name(), table.name_packed(), 1, 0) : Column<std::uint32_t>()),
+          sha256(minor >= 2 ? column<std::uint8_t>(table.sha256(), table.sha256_packed(), 32, 0) : Column<std::uint8_t>()),
+          folder(minor >= 2 ? column<std::uint32_t>(table.folder(), table.folder_packed(), 1, name.rows()) : Column<std::uint32_t>()),
+          found(minor >= 2 ? column<std::uint8_t>(table.found(), table.found_packed(), 1, name.rows()) : Column<std::uint8_t>()) {}
+};
+
 // Absent is what the level did not need; resources and geometry never are.
 struct Sections {
     std::optional<Resources> resources;
@@ -474,6 +502,8 @@ struct Sections {
     std::optional<Motion> motion;
     std::optional<Ledges> ledges;
     std::optional<Basins> basins;
+    std::optional<Models> models;
+    std::optional<Files> files;
 
     Sections() = default;
     explicit Sections(const jktools::Level& level) {
@@ -491,6 +521,8 @@ struct Sections {
         if (const auto* table = level.motion()) motion.emplace(*table, minor);
         if (const auto* table = level.ledges()) ledges.emplace(*table, minor);
         if (const auto* table = level.basins()) basins.emplace(*table, minor);
+        if (const auto* table = level.models()) models.emplace(*table, minor);
+        if (const auto* table = level.files()) files.emplace(*table, minor);
     }
 };
 
@@ -952,6 +984,42 @@ inline void check_basins(Checks& check, const Basins& own, const Sections& all) 
     check.rows("basins.left", own.left, own.body.rows());
 }
 
+inline void check_models(Checks& check, const Models& own, std::size_t strings, unsigned minor) {
+    if (minor >= 2) {
+        check.form("models.name", own.name);
+        check.indices("models.name", own.name, 0, strings, "strings");
+    }
+    if (minor >= 2) {
+        check.form("models.insert_offset", own.insert_offset);
+        check.rows("models.insert_offset", own.insert_offset, own.name.rows());
+    }
+    if (minor >= 2) {
+        check.form("models.radius", own.radius);
+        check.rows("models.radius", own.radius, own.name.rows());
+    }
+    if (minor >= 2) {
+        check.form("models.known", own.known);
+        check.rows("models.known", own.known, own.name.rows());
+    }
+}
+
+inline void check_files(Checks& check, const Files& own, std::size_t strings, unsigned minor) {
+    if (minor >= 2) {
+        check.form("files.name", own.name);
+        check.indices("files.name", own.name, 0, strings, "strings");
+    }
+    if (minor >= 2) {
+        check.form("files.folder", own.folder);
+        check.rows("files.folder", own.folder, own.name.rows());
+        check.indices("files.folder", own.folder, 0, strings, "strings");
+    }
+    if (minor >= 2) {
+        check.form("files.found", own.found);
+        check.rows("files.found", own.found, own.name.rows());
+    }
+    if (minor >= 2) check.form("files.sha256", own.sha256);
+}
+
 // The range check of every section. What it leaves without a fault leads nowhere outside its arrays.
 inline void check_sections(Checks& check, const Sections& all, std::size_t strings, unsigned minor) {
     if (all.resources) check_resources(check, *all.resources, strings);
@@ -967,6 +1035,8 @@ inline void check_sections(Checks& check, const Sections& all, std::size_t strin
     if (all.motion) check_motion(check, *all.motion);
     if (all.ledges) check_ledges(check, *all.ledges, all, strings, minor);
     if (all.basins) check_basins(check, *all.basins, all);
+    if (all.models) check_models(check, *all.models, strings, minor);
+    if (all.files) check_files(check, *all.files, strings, minor);
 }
 
 }  // namespace jklb

@@ -59,8 +59,7 @@ private:
         for (Index s = mesh_.first_surface(sector); s < mesh_.end_surface(sector); ++s) {
             if (misses(s)) continue;
             const Index triangles = mesh_.triangles(s);
-            for (Index i = 0; i < triangles; ++i)
-                if (!mesh_.degenerate(s, i)) offer(s, mesh_.triangle(s, i), entry);
+            for (Index i = 0; i < triangles; ++i) offer(s, mesh_.triangle(s, i), entry);
         }
     }
 
@@ -89,8 +88,8 @@ private:
     }
 
     void offer(Index surface, const Triangle& t, const Crossing* entry) {
-        const Signed to = orient3d(t.a, t.b, t.c, way_.to);
-        if (to.sign >= 0) return;
+        const Signed to = side(t, way_.to);
+        if (to.sign >= 0) return;  // also where the corners lie on one line
         // Seen along the way, the triangle turns clockwise around every point of it.
         if (orient3d(way_.from, way_.to, t.a, t.b).sign > 0 || orient3d(way_.from, way_.to, t.b, t.c).sign > 0 ||
             orient3d(way_.from, way_.to, t.c, t.a).sign > 0)

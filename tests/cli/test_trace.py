@@ -81,6 +81,7 @@ def test_runs_with_the_body_of_a_template(here: Path, level_file: Path, capsys: 
         ("run walk.txt --level rooms.jkl --at 0,0,0,2", "rooms.jkl: sector 2 is none of the level's 2"),
         ("run icy.txt --level rooms.jkl --at .5,.5,.1,0", "icy.txt: a script for a level has no floor"),
         ("run walk.txt -o a.gif", "a.gif names no format"),
+        ("run walk.txt -o no/such/a.csv", "there is no folder no/such to write a.csv into"),
         ("run none.txt", "does not exist"),
         ("run walk.txt --set speed=1", "speed is none of airdrag"),
         ("run walk.txt --set mass=heavy", "'heavy' is no value for mass"),

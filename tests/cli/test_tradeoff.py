@@ -92,7 +92,7 @@ def test_plots_are_the_same_for_the_same(suffix: str, begins: bytes) -> None:
 def test_json_keeps_to_its_schema(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (here / "walk.jkl").write_text(two_rooms(*WALKER))
     chosen = ("sight", "visibility", "ledges", "basins", "motion", "geometry")
-    words = ["--passes", ",".join(chosen), "--queries", "80", "--json", "-o", "out/plot.svg"]
+    words = ["--passes", ",".join(chosen), "--queries", "80", "--json", "-o", "plot.svg"]
     assert main(["tradeoff", "walk.jkl", *words]) == 0
     report = json.loads(capsys.readouterr().out)
     schema = json.loads((ROOT / "docs/tradeoff.schema.json").read_text())
@@ -109,7 +109,7 @@ def test_json_keeps_to_its_schema(here: Path, capsys: pytest.CaptureFixture[str]
                 if cell["error"] and set(cell["error"]["measures"]) <= set(schema["$defs"][k]["properties"])
             ]
             assert fits == ["queries" if name == "sight" else name]
-    assert (here / "out/plot.svg").read_bytes().startswith(b"<?xml")
+    assert (here / "plot.svg").read_bytes().startswith(b"<?xml")
 
 
 def test_json_of_what_is_not_measured(capsys: pytest.CaptureFixture[str]) -> None:
@@ -144,6 +144,7 @@ def test_options_choose(capsys: pytest.CaptureFixture[str]) -> None:
         (["rooms.jkl", "--tiers", "best"], 2, "'best' is none of fast, balanced, exact"),
         (["rooms.jkl", "--passes", ""], 2, "'' is none of"),
         (["rooms.jkl", "-o", "plot.gif"], 2, "plot.gif names no format: .png or .svg"),
+        (["rooms.jkl", "-o", "no/such/plot.svg"], 2, "there is no folder no/such to write plot.svg into"),
         (["rooms.jkl", "--queries", "0"], 2, "0 is not in the range"),
         (["rooms.jkl", "--time-limit", "0"], 2, "0.0 is not in the range"),
         (["broken.jkl"], 1, "cannot compile broken.jkl: the engine refuses it"),

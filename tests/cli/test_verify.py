@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from pathlib import Path
 
@@ -10,12 +11,16 @@ import numpy as np
 import pytest
 
 from jktools.cli import main
-from jktools.compiler import CompiledLevel, CompileSettings, compile_level, open_compiled
+from jktools.compiler import CompiledLevel, CompileSettings, compile_level, open_compiled, passes
 from jktools.compiler.checksum import seal
+from jktools.compiler.passes import PASSES, Pass
+from jktools.compiler.sections import NotNeeded
 from jktools.compiler.verification import by_itself, first_difference
 from jktools.session.verifying import verify
 from tests.compiler.test_scene_sections import LAMP
 from tests.support.levels import ROOT, TWO_ROOMS, gob_of, level_of, level_with_files, two_rooms
+
+SCRIPT = b"symbols\nmessage startup\nend\ncode\nstartup:\nreturn;\nend\n"
 
 
 @pytest.fixture(autouse=True)
@@ -54,7 +59,7 @@ def test_a_source_elsewhere(place: str, here: Path, capsys: pytest.CaptureFixtur
     report = json.loads(capsys.readouterr().out)
     jsonschema.validate(report, json.loads((ROOT / "docs/inspect.schema.json").read_text()))
     assert report["fault"] is None
-    assert report["verified"][1] == "compiled again from pack.gob!jkl/rooms.jkl: every section is as in the file"
+    assert report["verified"][-1] == "compiled again from pack.gob!jkl/rooms.jkl: every section is as in the file"
 
 
 def test_what_differs_is_named_and_ends_with_1(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -69,25 +74,115 @@ def test_what_differs_is_named_and_ends_with_1(here: Path, capsys: pytest.Captur
 
 def test_without_the_source_the_file_is_held_against_itself(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["build", "rooms.jkl", "-o", "out", "-q"]) == 0
-    assert main(["inspect", "out/rooms.jklb", "--verify"]) == 0
-    shown = capsys.readouterr().out
-    assert "  its source rooms.jkl is not at hand (--source PATH): nothing is derived again from it\n" in shown
-    assert "  what can be seen through the file's own adjoins: the file says nothing else\n" in shown
+    assert main(["inspect", "out/rooms.jklb", "--verify"]) == 2
+    said = capsys.readouterr()
+    assert "  its source rooms.jkl is not at hand: nothing is derived again from it\n" in said.out
+    assert "  what can be seen through the file's own adjoins: the file says nothing else\n" in said.out
+    why = "cannot verify out/rooms.jklb: its source rooms.jkl is not at hand; name it with --source PATH"
+    assert said.err == f"jktools: error: {why}\n"
     data = (here / "out/rooms.jklb").read_bytes()
     (here / "out/rooms.jklb").write_bytes(changed(data, "visibility", "row", 1))
     assert main(["inspect", "out/rooms.jklb", "--verify"]) == 1
     assert "sector 1 can be seen from sector 0, but the file denies it (1 such pairs)" in capsys.readouterr().err
 
 
-def test_a_source_that_was_edited_since_is_none(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("words", [[], ["--source", "rooms.jkl"], ["--base", "base"]])
+def test_a_source_that_was_edited_since(here: Path, capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
+    (here / "base/jkl").mkdir(parents=True)
+    (here / "base/jkl/other.jkl").write_text(TWO_ROOMS)
     assert main(["build", "rooms.jkl", "-o", ".", "-q"]) == 0
     (here / "rooms.jkl").write_text(TWO_ROOMS + "# edited\n")
-    assert main(["inspect", "rooms.jklb", "--verify"]) == 0
-    assert "is not at hand" in capsys.readouterr().out
-    assert main(["inspect", "rooms.jklb", "--verify", "--source", "rooms.jkl"]) == 2
-    assert "cannot verify rooms.jklb by rooms.jkl: it holds no file of SHA-256 " in capsys.readouterr().err
+    then, now = (hashlib.sha256(text.encode()).hexdigest() for text in (TWO_ROOMS, TWO_ROOMS + "# edited\n"))
+    assert main(["inspect", "rooms.jklb", "--verify", *words]) == 1
+    said = f"rooms.jklb is out of date: its source rooms.jkl is SHA-256 {now}, but was {then}\n"
+    assert capsys.readouterr().err == f"jktools: error: {said}"
+
+
+def test_another_source_is_refused(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["build", "rooms.jkl", "-o", ".", "-q"]) == 0
+    (here / "halls.jkl").write_text(TWO_ROOMS + "# edited\n")
+    assert main(["inspect", "rooms.jklb", "--verify", "--source", "halls.jkl"]) == 2
+    assert "cannot verify rooms.jklb by halls.jkl: it holds no file of SHA-256 " in capsys.readouterr().err
     assert main(["inspect", "rooms.jklb", "--source", "rooms.jkl"]) == 2
     assert "--source and --base are for --verify" in capsys.readouterr().err
+
+
+# ---- the other inputs
+
+
+def mod(here: Path) -> Path:
+    """A mod of a level, its script and the material of a surface; compiled to `mod.jklb`."""
+    for name, data in (("jkl/rooms.jkl", TWO_ROOMS.encode()), ("cog/door.cog", SCRIPT), ("mat/wall.mat", b"MAT ")):
+        path = here / "mod" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+    assert main(["build", "mod", "-o", "mod.jklb", "-q"]) == 0
+    return here / "mod"
+
+
+def verified(*words: str) -> int:
+    return main(["inspect", "mod.jklb", "--verify", "--source", "mod/jkl/rooms.jkl", *words])
+
+
+def test_inputs_are_told(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    mod(here)
+    assert verified("--json") == 0
+    report = json.loads(capsys.readouterr().out)
+    jsonschema.validate(report, json.loads((ROOT / "docs/inspect.schema.json").read_text()))
+    level = open_compiled("mod.jklb")
+    assert [tuple(each.values()) for each in report["level"]["inputs"]] == level.inputs
+    assert report["level"]["missing_inputs"] == level.missing_inputs
+    assert (
+        report["verified"][1]
+        == f"its inputs are what they were: 3 files, and {len(level.missing_inputs)} names that none has"
+    )
+    assert main(["inspect", "mod.jklb"]) == 0
+    assert f"  and from 2 other files; {len(level.missing_inputs)} more were looked for" in capsys.readouterr().out
+    assert main(["inspect", "mod.jklb", "--inputs"]) == 0
+    shown = capsys.readouterr().out
+    assert f"    {hashlib.sha256(SCRIPT).hexdigest()}  cog/door.cog\n" in shown
+    assert "    jkl/static.jkl\n" in shown and "    misc/items.dat\n" in shown
+
+
+def test_an_input_that_changed_is_named(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    script = mod(here) / "cog/door.cog"
+    script.write_bytes(SCRIPT + b"# more\n")
+    assert verified() == 1
+    then, now = (hashlib.sha256(data).hexdigest() for data in (SCRIPT, SCRIPT + b"# more\n"))
+    said = f"mod.jklb is out of date: its input cog/door.cog is SHA-256 {now}, but was {then}\n"
+    assert capsys.readouterr().err == f"jktools: error: {said}"
+    script.unlink()
+    assert verified() == 1
+    assert "out of date: its input cog/door.cog is not at hand\n" in capsys.readouterr().err
+
+
+def test_an_input_that_is_new_is_named(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = mod(here)
+    (folder / "misc").mkdir()
+    (folder / "misc/items.dat").write_text("end\n")
+    assert verified() == 1
+    assert "out of date: its input misc/items.dat was not at hand, but is now\n" in capsys.readouterr().err
+
+
+def test_what_no_pass_looks_for_is_no_input(here: Path) -> None:
+    folder = mod(here)
+    (folder / "cog/other.cog").write_bytes(SCRIPT)
+    (folder / "readme.txt").write_text("read me")
+    assert verified() == 0
+
+
+def test_a_pass_that_failed_is_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    def compute(*_: object) -> NotNeeded:
+        raise ZeroDivisionError("nothing to divide by")
+
+    monkeypatch.setattr(passes, "PASSES", {**PASSES, "lights": Pass("lights", compute)})
+    assert main(["build", "rooms.jkl", "-o", ".", "-q", "--keep-going"]) == 3
+    capsys.readouterr()
+    assert main(["inspect", "rooms.jklb"]) == 0
+    shown = capsys.readouterr().out
+    assert "    lights             failed  (the pass lights failed on rooms.jkl: ZeroDivisionError" in shown
+    assert "    hotspots          not run  (no script" in shown
+    assert open_compiled("rooms.jklb").passes["lights"]["failed"]
 
 
 def test_light_is_computed_again() -> None:

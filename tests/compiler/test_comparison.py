@@ -7,6 +7,7 @@ import pytest
 from fixtures.rooms import Level as Builder
 from jktools.compiler import CompiledLevel, CompileSettings, compile_level
 from jktools.compiler.comparison import Difference, compare
+from jktools.emit.difference import text
 from jktools.model import Level
 from tests.compiler.test_scene_sections import LAMP
 from tests.support.levels import TWO_ROOMS, level_of, level_with_files, two_rooms
@@ -105,6 +106,16 @@ def test_a_thing_that_is_added() -> None:
     found = difference("World things 3", "7: ghost third .5 .5 .5 0 0 0 0")
     assert brief(found) == [("thing", "added", None, 2, [])]
     assert found[0].name == "third"
+
+
+def test_a_motion_is_told_as_one() -> None:
+    line = "walkplayer none type=player move=physics size=.065 physflags=0x4a4f mass=150 surfdrag=3 maxthrust="
+    slow, quick = (compiled(two_rooms("World templates 3", line + thrust)) for thrust in "23")
+    (motion,) = (each for each in compare(slow, quick) if each.section == "motion")
+    shown = "\n".join(text(("a", "b"), [motion]))
+    assert (motion.kind, "1 motion changed" in shown, "motion of template 0 (walkplayer)" in shown) == (
+        "motion", True, True,
+    )  # fmt: skip
 
 
 def test_ledges_and_basins_of_a_step() -> None:

@@ -70,7 +70,7 @@ def test_only_what_is_reached_stays(tmp_path: Path) -> None:
     # walkplayer and ghost are placed; guard is a value of the COG, +shot a default, turret a string in its code;
     # +boom and +chip follow from them. crate, base and gun are reached by nothing.
     assert names(level) == ["walkplayer", "ghost", "+chip", "+boom", "guard", "+shot", "turret"]
-    assert level.passes["templates"] == {"ran": True, "note": "7 of 10 can be reached"}
+    assert level.passes["templates"] == {"ran": True, "failed": False, "note": "7 of 10 can be reached"}
     assert level.omissions[1:] == [
         {"section": "templates", "reason": "nothing reaches them", "source": [2, 3, 8],
          "name": ["crate", "base", "gun"]},
@@ -83,7 +83,11 @@ def test_only_names_that_are_reached_stay(tmp_path: Path) -> None:
     level = compiled(path)
     assert [level.strings[i] for i in level.resources.sounds] == ["wind.wav", "thud.wav"]
     assert [level.strings[i] for i in level.resources.materials] == ["wall.mat"]
-    assert level.passes["resources"] == {"ran": True, "note": "names of files that nothing reaches are left out: 1"}
+    assert level.passes["resources"] == {
+        "ran": True,
+        "failed": False,
+        "note": "names of files that nothing reaches are left out: 1",
+    }
     assert level.omissions[0] == {
         "section": "resources", "reason": "nothing reaches these sounds", "source": [2], "name": ["lost.wav"],
     }  # fmt: skip

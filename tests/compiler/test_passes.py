@@ -30,7 +30,7 @@ def test_a_pass_left_out_takes_along_those_that_need_it(monkeypatch: pytest.Monk
     monkeypatch.setattr(passes, "PASSES", {**PASSES, "cogs": needing})
     level = compiled(skip=frozenset({"things"}))
     assert (level.things, level.cogs) == (None, None)
-    assert level.passes["things"] == {"ran": False, "note": "left out by --skip"}
+    assert level.passes["things"] == {"ran": False, "failed": False, "note": "left out by --skip"}
     assert level.passes["cogs"]["note"] == "needs things, which is absent: left out by --skip"
     assert level.passes["templates"]["ran"]
 
@@ -43,7 +43,7 @@ def test_only_what_is_optional_can_be_chosen(name: str) -> None:
 
 def test_only_brings_what_it_needs() -> None:
     level = compiled(only=frozenset({"things"}))
-    assert [name for name, each in level.passes.items() if each["ran"]] == ["resources", "geometry", "things"]
+    assert [name for name, each in level.passes.items() if each["ran"]] == ["resources", "geometry", "things", "files"]
     assert level.passes["cogs"]["note"] == "left out by --only"
 
 

@@ -52,7 +52,7 @@ def test_class_cogs_look_in_a_level_that_places_no_cog() -> None:
     lines.insert(lines.index("World cogs 0") + 1, "- 0: door.cog 3 -1 wind.wav")
     with level_with_files(*lines) as level:
         compiled = CompiledLevel(compile_level(level))
-    assert compiled.passes["cogs"] == {"ran": False, "note": "no COG is placed"}
+    assert compiled.passes["cogs"] == {"ran": False, "failed": False, "note": "no COG is placed"}
     assert section(compiled, "hotspots").calls_per_second.tolist() == pytest.approx([10])
 
 
@@ -106,6 +106,7 @@ def test_what_the_scene_does_not_call_for_is_absent_and_says_why() -> None:
         "lights": "no thing that stays in place shines",
         "particles": "no template that the level can reach makes particles",
         "colour_effects": "no script at hand makes a colour effect of known colours",
+        "models": "no model of a template is at hand",
     }
 
 

@@ -39,6 +39,6 @@ def smithdev(compiled: Compile) -> Experiment:
 
 
 @pytest.fixture
-def trace(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Run:
-    """Runs `jktools trace run` in the level: a script, a start, options."""
-    return partial(run_trace, tmp_path, capsys)
+def trace(smithdev: Experiment, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Run:
+    """Runs `jktools trace run` in the compiled level: a script, a start, options."""
+    return partial(run_trace, smithdev.path, tmp_path, capsys)

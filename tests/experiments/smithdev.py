@@ -22,9 +22,8 @@ GOLDEN: dict[str, Any] = tomllib.loads((ROOT / "tests/engine/golden.toml").read_
 HANDLE: dict[str, Any] = json.loads(HANDLES.read_text("ascii"))
 """By chamber: the numbers of what it names (`sectors`, `surfaces`, `things`, `cogs`), and `about`."""
 
-
-PLAYER = 10
-"""Type of a player's template."""
+ACTOR, WEAPON, DEBRIS, PLAYER, PARTICLE = 2, 3, 4, 10, 11
+"""Types of things."""
 
 
 class Experiment:
@@ -72,13 +71,14 @@ class Experiment:
         """The record that the engine makes of a template: its numbers, vectors and names by parameter."""
         held, row = self.level.templates, self._template_rows[name]
         assert held is not None
-        record: dict[str, Any] = {"type": int(held.type[row]), "move": int(held.move[row])}
+        record: dict[str, Any] = {}
         for i in range(held.value_start[row], held.value_start[row + 1]):
             numbers = held.number[held.number_start[i] : held.number_start[i + 1]].tolist()
             text = int(held.value_text[i])
             value = self.level.strings[text] if not numbers and text >= 0 else numbers
             record[self.level.strings[held.value_key[i]]] = value[0] if len(value) == 1 else value
-        return record
+        # The words of these two stand among the values; their numbers are what the file has by them.
+        return record | {"type": int(held.type[row]), "move": int(held.move[row])}
 
     def motion(self, template: str) -> dict[str, Any]:
         """How an actor or player moves on flat ground, by the file's own names: JKU and seconds."""

@@ -19,6 +19,7 @@ from jktools.engine import infrared
 from jktools.engine.framebuffer import quantise
 from jktools.engine.profile import Engine
 from jktools.source import resolve
+from tests.experiments.play import Play
 from tests.experiments.smithdev import GOLDEN, Experiment
 
 ROOM = "colour_room"
@@ -85,6 +86,26 @@ def test_every_sample_of_the_document_is_a_call_of_the_room(smithdev: Experiment
     for each in in_room:
         after(smithdev, each)
     assert {tuple(map(float, sample["effect"])) for sample in GOLDEN["color"]["sample"]} <= in_room
+
+
+def test_the_switches_make_the_calls_that_the_compiled_level_has(smithdev: Experiment) -> None:
+    """In play: `sd_effects.cog` one call a press and none behind the last, the others on and off by turns."""
+    held = smithdev.level.colour_effects
+    assert held is not None
+    play = Play(smithdev, f"{ROOM}/door")
+    number = len([call for calls in SECTIONS.values() for call in calls])
+    scripts = {"effects": number, "blinding 0": 1, "blinding 8": 1, "seeing 0": 1, "seeing 8": 1}
+    for switch, (script, calls) in enumerate(scripts.items()):
+        before = len(play.effects)
+        for _ in range(calls):
+            play.press(f"switch {switch}")
+            assert play.effect == len(play.effects) - 1
+        play.press(f"switch {switch}")
+        assert play.effect is None, "the last press ends it"
+        made = {tuple(round(value, 4) for value in call) for call in play.effects[before:]}
+        assert len(play.effects) - before == calls
+        rows = np.flatnonzero(held.cog == smithdev.cog(f"{ROOM}/{script}"))
+        assert {tuple(round(float(value), 4) for value in held.argument[row]) for row in rows} == made
 
 
 def test_color_effects(smithdev: Experiment) -> None:
@@ -215,17 +236,19 @@ def test_coloreffect_according_to_datamaster(smithdev: Experiment) -> None:
 
 
 def test_ir_mode(smithdev: Experiment) -> None:
-    """Fully lit in the document; by the decompiled engine at the first argument, which runs from 0.3 to 0.7 by rank."""
-    held = smithdev.level.cogs
-    assert held is not None
-    ranks = []
-    for name in ("seeing 0", "seeing 8"):
-        row = int(np.flatnonzero(held.source == smithdev.cog(f"{ROOM}/{name}"))[0])
-        ranks.append(int(smithdev.level.strings[held.value[held.value_start[row] + 1]]))
-    assert ranks == [0, 8]
-    assert "EnableIRMode(0.3 + 0.05 * rank, 1)" in packed("cog/sd_seeing.cog").decode("ascii")
-    levels = [0.3 + 0.05 * rank for rank in ranks]
-    assert levels == pytest.approx(GOLDEN["ir_mode"]["first_parameter_range"])
+    """Fully lit in the document; by the decompiled engine at the first argument, which runs from 0.3 to 0.7 by rank.
+
+    `sd_seeing.cog` in play, placed for rank 0 and for rank 8; its second press ends it.
+    """
+    play, levels = Play(smithdev, f"{ROOM}/door"), []
+    for switch in ("switch 3", "switch 4"):
+        play.press(switch)
+        assert play.infrared is not None
+        levels.append(play.infrared)
+        play.press(switch)
+        assert play.infrared is None
+    assert levels == pytest.approx(GOLDEN["ir_mode"]["first_parameter_range"], rel=1e-6)
+    assert levels[0] == pytest.approx(GOLDEN["ir_mode"]["item_irgoggles.cog"][0], rel=1e-6)
     extra = smithdev.level.surface_extra_light
     assert (infrared.surface_light(levels[0], extra, Engine.RESEARCH) == 1).all()
     for level in levels:

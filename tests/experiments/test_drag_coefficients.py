@@ -10,8 +10,9 @@ import pytest
 from jktools.cli import main
 from jktools.trace.recording import read
 from tests.experiments.conftest import Compile
+from tests.experiments.play import Play
 from tests.experiments.smithdev import GOLDEN, HANDLE, Experiment
-from tests.experiments.tracing import LEVEL, Run
+from tests.experiments.tracing import Run
 
 ENGINES = ("research", "openjkdf2")
 FLOOR, NO_FLOOR = "velocity_hallway/start of floor", "velocity_hallway/start of no floor"
@@ -210,7 +211,7 @@ def test_dynamic_drag_summary(smithdev: Experiment, trace: Run, tmp_path_factory
     (folder / "keys.txt").write_text("0 velocity 0 1 0\n2 end\n")
     log = folder / "log.csv"
     start = str(HANDLE["velocity_hallway"]["things"]["start of floor"])
-    words = ["--level", LEVEL, "--at", start, "--body", name, "-o", str(log)]
+    words = ["--level", str(smithdev.path), "--at", start, "--body", name, "-o", str(log)]
     assert main(["trace", "run", str(folder / "keys.txt"), *words]) == 0
     recorded = read(log)
     moving = recorded.velocity[1:]
@@ -219,9 +220,71 @@ def test_dynamic_drag_summary(smithdev: Experiment, trace: Run, tmp_path_factory
     assert round(row["coefficient_from_v0"]) == -3
 
 
-def test_the_script_of_the_hallway_sends_off_at_the_speed_of_the_tables(smithdev: Experiment) -> None:
-    """`velocityresearch.cog` is bound to the hall, and its velocity is 1 JKU/s along the lanes."""
-    hall, launch, _ = smithdev.cog_values("velocity_hallway/research")
-    assert int(hall) == smithdev.sector("velocity_hallway/hall")
-    vector = [float(part) for part in launch.strip("()").split("/")]
-    assert vector == pytest.approx(smithdev.look("velocity_hallway/start of floor"), abs=1e-6)
+# ---- "Velocity Hallway": its script
+
+DOOR, HALL = "velocity_hallway/door", "velocity_hallway/hall"
+ON_SHALLOW_WATER = -0.25
+"""JKU beside the door's middle: before it lie the lanes of shallow and of deep water."""
+
+
+def test_velocity_hallway(smithdev: Experiment) -> None:
+    """`velocityresearch.cog`: time, thrust and velocity 'on a continuous basis while the player is in it'."""
+    play = Play(smithdev, DOOR, aside=ON_SHALLOW_WATER)
+    entered = play.run_until(HALL, "walk forward").time
+    play.run(1, "walk forward")
+    play.run(0.5)
+    assert play.player.sector == smithdev.sector(HALL)
+    printed = play.printed("research")
+    assert [time for time, _ in printed] == pytest.approx([entered + 0.1 * i for i in range(1, 16)])
+    at = {moment.time: moment for moment in play.seen}
+    for time, words in printed:
+        thrust, speed = (float(np.linalg.norm(vector)) for vector in (at[time].thrust, at[time].velocity))
+        assert words[0] == "time, thrust, velocity"
+        assert words[1:] == pytest.approx([time, thrust, speed], rel=1e-6)
+    thrusts = [words[2] for _, words in printed]
+    assert thrusts == [GOLDEN["steady_speed"]["walk_floor"]["thrust"]] * 10 + [0.0] * 5
+    play.run_until(DOOR, "walk back")
+    before = len(play.said)
+    play.run(1)
+    assert len(play.said) == before, "he has left the hall"
+
+
+def test_the_lanes_beside_the_hall_print_too(smithdev: Experiment) -> None:
+    """Lanes that are sectors of their own: who changes them is read on without a gap."""
+    play = Play(smithdev, "velocity_hallway/start of no gravity")
+    first = play.run_until("velocity_hallway/thrust", "walk right").time
+    second = play.run_until("velocity_hallway/no gravity", "walk left").time
+    play.run(0.5)
+    times = [time for time, _ in play.printed("research")]
+    assert times[0] == pytest.approx(first + 0.1)
+    assert [time for time in times if time > second] == pytest.approx([second + 0.1 * i for i in range(1, 6)])
+    assert max(np.diff(times)) < 0.2
+
+
+@pytest.mark.parametrize("row", GOLDEN["dynamic_drag"]["decay_time"], ids=lambda row: str(row["surfdrag"]))
+def test_the_script_sends_off_at_the_speed_of_the_tables(smithdev: Experiment, row: dict[str, float]) -> None:
+    """'Will assign a velocity value directly on the player upon entering the sector': Table 12 once more.
+
+    The switch turns it on. He enters over shallow water, which leaves thrust and drag alone.
+    """
+    fit = GOLDEN["dynamic_drag"]["fit"]
+    frame = round(fit["frame_seconds"] * 1000)
+    play = Play(smithdev, DOOR, body=DECAYS[row["surfdrag"]], aside=ON_SHALLOW_WATER, frame=frame)
+    play.press("switch")
+    assert play.printed("research") == [(0, ["sending off", 1])]
+    sent = play.run_until(HALL, "walk forward")
+    assert sent.velocity.tolist() == pytest.approx(smithdev.look("velocity_hallway/start of floor"), abs=1e-6)
+    slowing = play.run(row["seconds"] * 1.2)
+    frames = 1 + sum(bool(moment.velocity.any()) for moment in slowing)
+    taken = (frames - fit["frames_lost"]) * fit["frame_seconds"]
+    assert taken == pytest.approx(row["seconds"], rel=fit["max_relative_error"])
+    assert slowing[-1].place[1] < play.seen[0].place[1] + 12 and not slowing[-1].velocity.any()
+
+
+def test_the_switch_ends_the_sending(smithdev: Experiment) -> None:
+    play = Play(smithdev, DOOR, aside=ON_SHALLOW_WATER)
+    play.press("switch")
+    play.press("switch")
+    assert [words for _, words in play.printed("research")] == [["sending off", 1, "sending off", 0]]
+    entered = play.run_until(HALL, "walk forward")
+    assert np.linalg.norm(entered.velocity) < 0.65

@@ -9,10 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
 from fixtures.smithdev.chambers.thing_flags_chamber import SHOTS
 from fixtures.smithdev.pack import GOB
 from jktools.engine import attachment
+from tests.experiments.play import Play
 from tests.experiments.smithdev import GOLDEN, Experiment
 
 CHAMBER = "thing_flags_chamber"
@@ -41,6 +43,48 @@ def test_thing_flags_chamber(smithdev: Experiment) -> None:
     (link,) = (symbol for symbol in script["symbols"] if symbol["name"] == "gate")
     assert all(link["mask"] >> kind & 1 for kind in range(TYPES))
     assert [m["handled"] for m in script["messages"] if m["name"] == "crossed"] == [True]
+
+
+def test_whatever_crosses_has_its_flags_printed(smithdev: Experiment) -> None:
+    """`sd_thingflags.cog`, by a mask of -1: the player on his way in and out, and the shots of `sd_thrower.cog`."""
+    play = Play(smithdev, f"{CHAMBER}/near")
+    play.run_until(f"{CHAMBER}/far", "walk forward")
+    player = smithdev.template("walkplayer")
+    own = [int(player[key]) for key in ("thingflags", "physflags", "typeflags")]
+    attached = FLAGS["attach"]["datamaster"]["0x1"]
+    assert attached == "attached to a surface"
+    says = "thing, physics and type flags, attach flags:"
+    assert [words for _, words in play.printed("monitor")] == [[says, *own, 0x1]]
+    play.run_until(f"{CHAMBER}/near", "walk back")
+    assert len(play.printed("monitor")) == 1, "the gate that is linked is the near room's"
+
+
+def test_a_switch_throws_four_shots_across(smithdev: Experiment) -> None:
+    """`sd_thrower.cog`: one shot a press, in turn; each flies over the gate and on to the far wall."""
+    play = Play(smithdev, f"{CHAMBER}/near")
+    shots = list(smithdev.about(CHAMBER)["shots"].values())
+    thrown = []
+    for _ in range(5):
+        play.press("switch")
+        thrown.append(max(play.things.values(), key=lambda thing: thing.number))
+        play.run(0.5)
+    assert [shot.template for shot in thrown] == [*shots, shots[0]]
+    play.run(4)
+    far = smithdev.sector(f"{CHAMBER}/far")
+    assert {shot.sector for shot in thrown} == {far}
+    muzzle = play.things[smithdev.thing(f"{CHAMBER}/muzzle")]
+    ways = np.array([shot.place - muzzle.place for shot in thrown])
+    # 5 JKU to the wall but for the sphere; nothing pulls a shot down.
+    assert ways @ smithdev.look(f"{CHAMBER}/muzzle") == pytest.approx([5 - 0.01] * 5, abs=1e-6)
+    assert np.abs(ways[:, 2]).max() == 0
+    printed = play.printed("monitor")
+    # 2 JKU at 2 JKU/s, then the next half a second later.
+    assert [time for time, _ in printed] == pytest.approx([1.02 + 0.5 * i for i in range(5)], abs=0.021)
+    held = [
+        [int(smithdev.template(name).get(key, 0)) for key in ("thingflags", "physflags", "typeflags")] for name in shots
+    ]
+    assert [words[1:4] for _, words in printed] == [*held, held[0]]
+    assert [words[3] for _, words in printed[:4]] == list(SHOTS.values())
 
 
 def test_surface_flags(smithdev: Experiment) -> None:

@@ -12,7 +12,8 @@ from fixtures.smithdev.chambers.orientation_room import AWKWARD, ORIENTS, PLACED
 from jktools.engine import orientation
 from jktools.engine.arrays import Float64
 from jktools.engine.orientation import Creation
-from tests.experiments.scripts import calls
+from tests.experiments.play import Play
+from tests.experiments.scripts import placed
 from tests.experiments.smithdev import GOLDEN, Experiment
 
 ROOM = "orientation_room"
@@ -36,23 +37,19 @@ def template_of(smithdev: Experiment, thing: str) -> str:
     )
 
 
-def made(smithdev: Experiment, cog: str, how: Creation) -> list[Float64]:
-    """The look matrices of the three strifles that a placed script makes, by its values in the compiled level."""
-    held = smithdev.level.cogs
-    assert held is not None
-    row = int(np.flatnonzero(held.source == smithdev.cog(f"{ROOM}/{cog}"))[0])
-    values = [smithdev.level.strings[i] for i in held.value[held.value_start[row] : held.value_start[row + 1]]]
-    templates, ghosts = values[:3], values[3:]
-    for i, ghost in enumerate(ghosts):
-        assert int(ghost) == smithdev.thing(f"{ROOM}/{cog} {i}")
-    return [
-        orientation.created(
-            how,
-            smithdev.template(template)["orient"],
-            spawner=orientation.matrix(angles_of(smithdev, f"{cog} {i}")),
+def made(smithdev: Experiment, cog: str) -> list[Float64]:
+    """The look matrices of the three strifles that a placed script makes as the level starts, each at its ghost."""
+    play = Play(smithdev, f"{ROOM}/door")
+    found = []
+    for i, name in enumerate(ORIENTS):
+        ghost = play.things[smithdev.thing(f"{ROOM}/{cog} {i}")]
+        (strifle,) = (
+            thing
+            for thing in play.living(f"sd_strifle_{name}")
+            if (thing.place == ghost.place).all() and thing.number not in smithdev.handles[ROOM]["things"].values()
         )
-        for i, template in enumerate(templates)
-    ]
+        found.append(strifle.look)
+    return found
 
 
 def looks(matrices: Sequence[Float64]) -> list[list[float]]:
@@ -72,22 +69,22 @@ def test_orient_template_property(smithdev: Experiment) -> None:
         assert held[:, 1] == pytest.approx([-0.3368241, 0.9254166, 0.1736482], abs=EXACT)
 
     assert says["created_at_ghost_0"] == "the template's orient"
-    straight = made(smithdev, "ghost at 0", Creation.CREATE_THING)
+    straight = made(smithdev, "ghost at 0")
     by_hand = [[0, 1, 0, 0, 0, 1], [0, HALF, HALF, 0, -HALF, HALF], [0, 1, 0, HALF, 0, HALF]]
     assert np.asarray(looks(straight)) == pytest.approx(np.array(by_hand), abs=EXACT)
 
     assert says["created_at_ghost_45"] == "ghost orientation composed with the template's orient"
-    turned = made(smithdev, "ghost at 45", Creation.CREATE_THING)
+    turned = made(smithdev, "ghost at 45")
     by_hand = [[-HALF, HALF, 0, 0, 0, 1], [-0.5, 0.5, HALF, 0.5, -0.5, HALF], [-HALF, HALF, 0, 0.5, 0.5, HALF]]
     assert np.asarray(looks(turned)) == pytest.approx(np.array(by_hand), abs=EXACT)
 
 
 def test_creatething_vs_createthingnr(smithdev: Experiment) -> None:
-    made_of = ["(level, ghost0)", "(raised, ghost1)", "(rolled, ghost2)"]
-    for verb in ("creatething", "createthingnr"):
-        assert calls(f"sd_{verb}.cog", "creatething", "createthingnr") == [verb + each for each in made_of]
-    plain = made(smithdev, "ghost at 45", Creation.CREATE_THING)
-    other = made(smithdev, "ghost at 45, NR", Creation.CREATE_THING_NR)
+    """`sd_creatething.cog` and `sd_createthingnr.cog` at ghosts turned alike: 'there is no difference'."""
+    for script, verb in (("ghost at 45", "creatething"), ("ghost at 45, NR", "createthingnr")):
+        code = placed(smithdev, f"{ROOM}/{script}").program
+        assert [known.name for _, known in code.calls] == [verb] * len(ORIENTS)
+    plain, other = made(smithdev, "ghost at 45"), made(smithdev, "ghost at 45, NR")
     same = all((a == b).all() for a, b in zip(plain, other, strict=True))
     assert same is GOLDEN["orientation"]["create_thing_nr_same_as_create_thing"]
 

@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 
 from fixtures.smithdev.chambers.particle_room import CELS, TRIP, VARIANTS
-from jktools.engine import orientation, particle_template, particles
+from jktools.engine import particles
 from jktools.engine.particle_spawn import spawn
 from jktools.engine.particle_template import ParticleTemplate
 from jktools.engine.particles import ParticleTrack
-from tests.experiments.scripts import calls
+from tests.experiments.living import Thing
+from tests.experiments.play import Play
 from tests.experiments.smithdev import GOLDEN, Experiment
 
 ROOM = "particle_room"
@@ -129,20 +130,64 @@ def test_decay(smithdev: Experiment) -> None:
         assert 5 < (by_rate["fading"] - 1.0) / (by_rate["fading_rate_128"] - 1.0) < 20
 
 
-def test_decay_of_a_destroyed_thing(smithdev: Experiment) -> None:
-    """0.1 s and 1.5 s after its creation, before and after the timer: all at once, by the scripts' own values."""
+def lived(smithdev: Experiment, variant: str, thing: Thing) -> ParticleTrack:
+    """What was seen of a cloud that a script made: destroyed when its thing was, by a seed of its own."""
+    died = None if thing.died is None else (thing.died - thing.born) / 1000
+    return particles.simulate(cloud(smithdev, variant), seed=thing.number, seconds=20.0, destroyed_at=died)
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_each_switch_makes_its_cloud(smithdev: Experiment, variant: str) -> None:
+    """`sd_partest.cog`, placed for every variant: at its own ghost, where it stays; the doomed ones do not last."""
+    play = Play(smithdev, f"{ROOM}/bay")
+    template = smithdev.about(ROOM)["variants"][variant]
+    assert play.living(template) == []
+    play.press(f"switch {variant}")
+    (made,) = play.living(template)
+    ghost = play.things[smithdev.thing(f"{ROOM}/place {variant}")]
+    assert (made.place == ghost.place).all() and made.sector == ghost.sector
+    play.run(2)
+    kill = VARIANTS[variant].kill
+    assert made.died == (round(kill * 1000) if kill else None)
+
+
+@pytest.mark.parametrize(("variant", "second"), [("killed_early", 0.1), ("killed_late", 1.5)])
+def test_decay_of_a_destroyed_thing(smithdev: Experiment, variant: str, second: float) -> None:
+    """0.1 s and 1.5 s after its creation, before and after the timer: 'the entire effect is removed instantly'."""
     assert RULES["destroying_the_thing"].startswith("removes its whole effect at once")
-    held = smithdev.level.cogs
-    assert held is not None
-    for variant, second in (("killed_early", 0.1), ("killed_late", 1.5)):
-        row = int(np.flatnonzero(held.source == smithdev.cog(f"{ROOM}/{variant}"))[0])
-        *_, template, kill = (smithdev.level.strings[i] for i in held.value[slice(*held.value_start[row : row + 2])])
-        assert (template, float(kill)) == (smithdev.about(ROOM)["variants"][variant], second)
-        track = particles.simulate(cloud(smithdev, variant), seconds=3.0, destroyed_at=float(kill))
-        assert count_at(track, second - 0.02) > 0
-        assert track.died_at == second
-    # "Creating another +partest does not affect the previous one(s)": a cloud depends on nothing but itself.
-    assert counts(run(smithdev, "killed_early")) == counts(run(smithdev, "fading"))
+    play = Play(smithdev, f"{ROOM}/bay")
+    template = smithdev.about(ROOM)["variants"][variant]
+    play.press(f"switch {variant}")
+    (made,) = play.living(template)
+    play.run(2)
+    assert play.living(template) == []
+    track = lived(smithdev, variant, made)
+    assert track.died_at == second
+    # Without the script the same cloud would have gone on: the document's timer of 1 s, then one particle a step.
+    whole = particles.simulate(cloud(smithdev, variant), seed=made.number, seconds=20.0)
+    assert whole.died_at is not None and whole.died_at > 3
+    left = counts(whole)[: int(second / 0.02)]
+    assert counts(track)[: len(left)] == left and left[-1] > 0
+    assert (left[-1] == COUNT) is (second < 1)
+
+
+@pytest.mark.parametrize("later", [0.5, 1.48])
+def test_another_does_not_affect_the_previous_ones(smithdev: Experiment, later: float) -> None:
+    """'Creating another +partest does not affect the previous one(s)': each lives as long as if it were alone.
+
+    The second is made before the first one's end: a script that waited by Sleep, with one variable for both, would
+    destroy the second twice and the first never.
+    """
+    play = Play(smithdev, f"{ROOM}/bay")
+    template = smithdev.about(ROOM)["variants"]["killed_late"]
+    play.press("switch killed_late")
+    play.run(later)
+    play.press("switch killed_late")
+    first, second = play.living(template)
+    play.run(4)
+    assert [thing.died for thing in (first, second)] == [1500, 1500 + round(later * 1000)]
+    tracks = [lived(smithdev, "killed_late", thing) for thing in (first, second)]
+    assert [track.died_at for track in tracks] == [1.5, 1.5]
 
 
 def test_creation(smithdev: Experiment) -> None:
@@ -165,27 +210,38 @@ def test_creation(smithdev: Experiment) -> None:
 
 
 def test_coordinate_space(smithdev: Experiment) -> None:
-    """A cloud that is attached to the moving tank goes with it, frame by frame, and is otherwise as ever."""
-    assert RULES["positions_are_local_to_thing"] is True and RULES["attached"].startswith("follows the thing")
-    held = smithdev.level.things
-    assert held is not None
-    row = int(np.flatnonzero(held.source == smithdev.thing(f"{ROOM}/tank"))[0])
-    parameters = slice(*held.parameter_start[row : row + 2])
-    keys, values = ([smithdev.level.strings[i] for i in column[parameters]] for column in
-                    (held.parameter_key, held.parameter_value))  # fmt: skip
-    verbs = ("creatething", "attachthingtothing")
-    assert calls("sd_tank.cog", *verbs) == ["creatething(part, tank)", "attachthingtothing(effect, tank)"]
-    frames = [v for k, v in zip(keys, values, strict=True) if k == "frame"]
-    start, end = (np.array([float(x) for x in f.strip("()").split(":")[0].split("/")]) for f in frames)
-    assert np.linalg.norm(end - start) == pytest.approx(TRIP)
-    assert held.position[row] == pytest.approx(start)
+    """'Attaching the created particle thing to this moving bacta tank results in the cloud following the tank.'
 
-    track = run(smithdev, "fading", 3.0)
-    path = start + (end - start) * (track.times / track.times[-1])[:, None]
-    look = orientation.matrix(np.asarray(held.angles[row], np.float64))
-    world = particles.to_world(track.positions, path[:, None], look)
-    assert world - path[:, None] == pytest.approx(np.broadcast_to(world[0] - path[0], world.shape), abs=1e-12)
-    assert np.linalg.norm(world[-1] - world[0], axis=1) == pytest.approx(TRIP)
+    `sd_tank.cog` in play: the cloud is put on the tank under way, goes to the end with it, and back.
+    """
+    assert RULES["positions_are_local_to_thing"] is True and RULES["attached"].startswith("follows the thing")
+    play = Play(smithdev, f"{ROOM}/bay")
+    (tank,) = play.living("sd_tank")
+    start = tank.place.copy()
+    play.run(1)
+    assert 0.3 < np.linalg.norm(tank.place - start) < TRIP / 2, "the script sent it off as the level started"
+    play.press("switch tank")
+    (made,) = play.living(smithdev.about(ROOM)["variants"]["fading"])
+    track = lived(smithdev, "fading", made)
+    worlds, tanks = [], []
+    for frame in range(450):
+        play.run(0.02)
+        worlds.append(particles.to_world(track.positions[frame], made.place, made.look))
+        tanks.append(tank.place.copy())
+    world, path = np.array(worlds), np.array(tanks)
+    # 9 s at 0.4 JKU/s: it has come to the far end and back past where the cloud was put on it.
+    ahead = (path - start) @ (tank.path[1] - tank.path[0]) / TRIP
+    assert ahead.max() == pytest.approx(TRIP, abs=1e-6)
+    turned = int(ahead.argmax())
+    assert 0 < turned < 449 and ahead[-1] < ahead[0]
+    # Each particle keeps its place about the tank, whichever way that goes, ...
+    about = world - path[:, None]
+    assert np.abs(about - about[0]).max() < 1e-12
+    # ... so that in the world it goes as far as the tank does, and turns when it turns.
+    steps = np.diff(world, axis=0)
+    assert np.abs(steps - np.diff(path, axis=0)[:, None]).max() < 1e-12
+    # Its particles dissolve meanwhile as those of any other cloud.
+    assert 0 < counts(track)[100] < COUNT
 
 
 def test_cel_animation(smithdev: Experiment) -> None:
@@ -243,8 +299,9 @@ def test_unknowns(smithdev: Experiment) -> None:
         track = run(smithdev, variant)
         for name in ("positions", "cels", "sizes", "alive"):
             assert np.array_equal(getattr(track, name), getattr(plain, name))
-    assert RULES["cast_light"] is particle_template.CASTS_LIGHT is False
-    lights, things = smithdev.level.lights, smithdev.level.things
-    assert lights is not None and things is not None
-    clouds = {smithdev.thing(f"{ROOM}/cels {material}") for material in CELS}
-    assert not clouds & set(lights.thing.tolist())
+    # "None of them cast any dynamic light": the clouds that the level places are none of its lights, all of them lamps.
+    lights, placed = smithdev.level.lights, smithdev.handles["light_test_bed"]["things"]
+    assert lights is not None
+    shining = set(lights.thing.tolist())
+    assert shining == {number for name, number in placed.items() if name.startswith("lamp")}
+    assert RULES["cast_light"] is bool(shining & {smithdev.thing(f"{ROOM}/cels {material}") for material in CELS})

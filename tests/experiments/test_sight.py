@@ -20,6 +20,7 @@ from jktools.engine import sight as rules
 from jktools.engine.profile import Engine
 from jktools.geometry.mesh import SectorMesh
 from tests.experiments.conftest import Compile
+from tests.experiments.play import Play
 from tests.experiments.smithdev import GOLDEN, Experiment
 
 ROOM = "sight_room"
@@ -97,6 +98,24 @@ def test_haslos(smithdev: Experiment, engine: str, expected: dict[str, bool]) ->
     verdicts = subprocess.run(asked, check=True, capture_output=True, text=True, timeout=300).stdout.splitlines()
     answers = {case: {"visible": True, "not visible": False}[v] for case, v in zip(CASES, verdicts, strict=True)}
     assert answers == expected
+
+
+@pytest.mark.parametrize(("engine", "expected"), [(Engine.RESEARCH, SEEN), (Engine.OPENJKDF2, BY_THE_ENGINE)])
+def test_the_lookouts_say_what_they_see(smithdev: Experiment, engine: Engine, expected: dict[str, bool]) -> None:
+    """`sd_lookout.cog`, once a second; `sd_swinglamp.cog` asks as often as the hotspots say, and shines or not."""
+    play = Play(smithdev, f"{ROOM}/booth wall", engine=engine, frame=25)
+    play.run(2)
+    for case, seen in expected.items():
+        assert play.printed(f"lookout {case}") == ([(1.0, ["seen"]), (2.0, ["seen"])] if seen else []), case
+    lamps = play.living("sd_swinglamp")
+    hotspots, asked = smithdev.level.hotspots, play.asked
+    assert hotspots is not None and len(lamps) == smithdev.about(ROOM)["lamps"]
+    assert asked["sd_swinglamp"] / 2 == pytest.approx(hotspots.calls_per_second[0]) == len(lamps) / PULSE
+    assert asked["ghost"] / 2 == pytest.approx(hotspots.calls_per_second[1:].sum()) == len(CASES)
+    assert {play.lights[lamp.number] for lamp in lamps} == {0.0}, "no lamp sees who stands behind the wall"
+    in_the_hall = Play(smithdev, f"{ROOM}/hall", engine=engine, frame=25)
+    in_the_hall.run(0.5)
+    assert {in_the_hall.lights[lamp.number] for lamp in lamps} == {1.0}
 
 
 @pytest.mark.parametrize("engine", ["research", "openjkdf2"])

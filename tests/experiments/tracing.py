@@ -1,4 +1,4 @@
-"""`jktools trace run` in smithdev: a script of keys from a thing of a chamber, read back from the CSV."""
+"""`jktools trace run` in the compiled smithdev: a script of keys from a thing of a chamber, read back from the CSV."""
 
 from __future__ import annotations
 
@@ -10,11 +10,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from fixtures.smithdev.pack import GOB
 from jktools.cli import main
 from tests.experiments.smithdev import HANDLE
 
-LEVEL = f"{GOB}!jkl/smithdev.jkl"
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
@@ -44,13 +42,13 @@ class Trace(NamedTuple):
 Run = Callable[..., Trace]
 
 
-def run_trace(folder: Path, capsys: Any, script: str, start: str, *options: str) -> Trace:
-    """Trace from a thing (`chamber/name`), or from `x,y,z,sector`."""
+def run_trace(level: Path, folder: Path, capsys: Any, script: str, start: str, *options: str) -> Trace:
+    """Trace in a compiled level, from a thing (`chamber/name`), or from `x,y,z,sector`."""
     file = folder / "keys.txt"
     file.write_text(script)
     chamber, _, name = start.partition("/")
     place = str(HANDLE[chamber]["things"][name]) if name else start
-    status = main(["trace", "run", str(file), "--level", LEVEL, "--at", place, *options])
+    status = main(["trace", "run", str(file), "--level", str(level), "--at", place, *options])
     out = capsys.readouterr()
     assert status == 0, out.err
     rows = list(csv.DictReader(io.StringIO(out.out)))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -13,6 +15,7 @@ from tests.support.cog_scripts import Writer
 from tests.support.scripts import corpus_scripts, script_of
 
 CORPUS = list(corpus_scripts())
+PARTS = 40 if os.environ.get("JKTOOLS_FUZZ") else 0
 
 
 def program_of(text: str | bytes, game: str = "jk") -> Program:
@@ -28,22 +31,30 @@ def test_corpus_scripts_keep_to_what_the_analysis_says(name: str, data: bytes) -
         assert violations(program_of(data, game), seed) == []
 
 
-OPEN = (228, 92406262)
-"""Scripts in which a loop that sleeps turns more often than is said, up to 2.2 times: about one in 400 random ones."""
+EXCEEDED = (228, 307, 1183, 11490, 92406262)
+"""Random scripts that showed a fault of the bounds or of the machine: a `call` that is passed over for want of a
+place (228, 92406262), what a run reads that goes on out of its turn (307, 1183), a timer turned off when it is due."""
 
 
-@pytest.mark.xfail(strict=True, reason="open: 425 calls where at most 191 were said, 171 where 163")
-@pytest.mark.parametrize("seed", OPEN)
-def test_scripts_known_to_exceed_what_the_analysis_says(seed: int) -> None:
+@pytest.mark.parametrize("seed", EXCEEDED)
+def test_scripts_that_once_exceeded_what_the_analysis_says(seed: int) -> None:
     assert violations(program_of(Writer(seed).script()), seed) == []
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.integers(0, 2**32).filter(lambda seed: seed not in OPEN))
+@given(st.integers(0, 2**32))
 def test_random_scripts_keep_to_what_the_analysis_says(seed: int) -> None:
     text = Writer(seed).script()
     assert not script_of(text).rejected
     assert violations(program_of(text), seed) == []
+
+
+@pytest.mark.skipif(not PARTS, reason="20,000 scripts take a quarter of an hour: make fuzz")
+@pytest.mark.parametrize("part", range(PARTS))
+def test_many_random_scripts_keep_to_what_the_analysis_says(part: int) -> None:
+    seeds = range(part * 500, (part + 1) * 500)
+    found = {seed: violations(program_of(Writer(seed).script()), seed) for seed in seeds}
+    assert {seed: each for seed, each in found.items() if each} == {}
 
 
 def test_the_random_scripts_do_something() -> None:

@@ -85,6 +85,33 @@ def test_intervals(code: str, low: float, high: float) -> None:
     assert (found[0].low, found[0].high) == (low, high) or code.startswith(("for", "y[")) or "x = 1;" in code
 
 
+def test_what_a_verb_takes_from_the_stack_is_not_compared() -> None:
+    """HasLOS with one argument takes x for the other, and an older value is compared in its stead."""
+
+    def least(test: str) -> float:
+        each = facts(f"startup: x = Rand() * 4; if ({test}) SetPulse(x); return;", symbols=("flex x local",))
+        (site,) = (site for site in each.rates.sites if site.verb.name == "setpulse")
+        return site.arguments[0].low
+
+    assert least("x > HasLOS(0, 0) + 3") >= 2
+    assert least("x > HasLOS(0) + 3") == 0
+    assert least("x > 3 && HasLOS(0, 0)") >= 3
+    assert least("x > 3 && HasLOS(0)") == 0
+
+
+def test_messages_go_where_the_last_arguments_say() -> None:
+    """An argument too many stays below on the stack; with one too few all are others."""
+
+    def arms(sent: str) -> frozenset[str]:
+        lines = (f"startup: SendMessage({sent}); return;", "user0: return;")
+        return facts(*lines, symbols=("cog other",)).rates.arms["startup"]
+
+    assert arms("other, user0") == set()
+    assert arms("GetSelfCog(), user0") == {"user0"}
+    assert arms("other, GetSelfCog(), user0") == {"user0"}
+    assert arms("user0") == {"user0"}
+
+
 def test_an_instance_gives_its_values() -> None:
     each = facts("startup: SetPulse(rate * 2); return;", symbols=("flex rate=1.0",))
     slot = each.program.slot_of["rate"].index
@@ -156,6 +183,9 @@ def test_a_jump_leads_to_the_label_that_it_names_and_on_through_those_below() ->
         ("while (1) { Print(1); Sleep(Rand()); }", 1, 50),
         ("i = 0; while (i < 10) { Print(1); if (Rand() < 0.5) i = i + 1; }", math.inf, 0),
         ("i = 0; while (i < 10) { Print(1); k[Rand()] = i + 1; }", math.inf, 0),
+        # A verb without its argument takes what stands before it: not i is compared then, but what was left before.
+        ("i = 0; do { Print(1); i = i + 1; 3; } while (i < GetThingType(0));", 32, 0),
+        ("i = 0; do { Print(1); i = i + 1; 3; } while (i < GetThingType());", math.inf, 0),
     ],
 )
 def test_loops(loop: str, per_run: float, per_second: float) -> None:

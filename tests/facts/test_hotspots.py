@@ -196,6 +196,9 @@ LOOK = 'if (HasLOS(a, b) == 1) Print("seen");'
     # The label that is called sleeps 0.2 s, whichever way.
     (["startup:", "while (1) {", LOOK, "call nap;", "}", "return;",
       "nap: if (Rand() < 0.5) Sleep(1); else { Sleep(0.1); Sleep(0.1); } return;"], 5),
+    # That of a handler which can come twice may find no place for the call, and turn without.
+    (["activated:", "while (1) {", LOOK, "call nap;", "}", "return;", "nap: Sleep(0.2); return;"], math.inf),
+    (["activated:", "while (1) {", LOOK, "call nap; Sleep(0.5);", "}", "return;", "nap: Sleep(0.5); return;"], 2),
     # What sleeps on one way only may turn for ever without.
     (["startup:", "while (1) {", LOOK, "call nap;", "}", "return;",
       "nap: if (Rand() < 0.5) Sleep(1); return;"], math.inf),
@@ -470,6 +473,26 @@ def test_messages_of_one_script_wake_loops_of_another() -> None:
     # A handler from which the loop cannot be reached leaves its sleep as it is.
     beside = ["startup: call watch; return;", "user1: Sleep(1); return;", *watch]
     assert [h.calls_per_second for h in two_scripts(tick, beside)] == pytest.approx([4])
+
+
+@pytest.mark.parametrize(("asks", "answers", "calls"), [
+    ("startup: return;", "user0: Sleep(1); return;", 5),
+    # The first script sends it in its own startup, and the second may be asleep when startup comes to it.
+    ("startup: SendMessage(other, user0); return;", "user0: Sleep(1); return;", math.inf),
+    ("startup: SendMessage(other, user0); return;", "user0: return;", 5),
+    ("startup: SendMessage(other, user0); return;", "user0: call nap; return;", math.inf),
+    ("startup: DamageThing(20, 1, 1, 20); return;", "activated: Sleep(1); return;", math.inf),
+    ("startup: SendMessage(other, startup); return;", "user0: return;", math.inf),
+    ("startup: SendMessage(GetSenderRef(), user0); return;", "user0: Sleep(1); return;", math.inf),
+    ("startup: SendMessage(GetSenderRef(), user0); return;", "user0: return;", 5),
+    # Later: on top of the loop.
+    ("activated: SendMessage(other, user0); return;", "user0: Sleep(1); return;", 5),
+    ("startup: SetPulse(1); return; pulse: SendMessage(other, user0); return;", "user0: Sleep(1); return;", 5),
+    ("startup: SetPulse(1); return; pulse: SendMessage(other, startup); return;", "user0: return;", math.inf),
+])  # fmt: skip
+def test_a_label_that_the_loop_of_startup_calls(asks: str, answers: str, calls: float) -> None:
+    loop = ["startup: while (1) {", LOOK, "call nap; } return;", answers, "nap: Sleep(0.2); return;"]
+    assert [h.calls_per_second for h in two_scripts([asks], loop)] == pytest.approx([calls])
 
 
 @pytest.mark.parametrize("target", ["GetSenderRef()", "GetMasterCog()", "GetThingClassCog(20)"])

@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 from benchmarks.ledge_disagreement import GAIT, Twin, compare, scenes
 from benchmarks.ledge_tiers import differing
 from jktools.compiler import CompiledLevel, compile_level
-from jktools.compiler.queries import ledges_at
 from jktools.engine.profile import Engine
 from jktools.facts import LevelFacts
 from jktools.facts.basins import Way
@@ -130,7 +129,8 @@ def test_the_edges_of_a_thing_are_edges_of_floors_at_each_of_its_places() -> Non
 
 def test_the_file_names_the_thing_that_an_edge_is_of_and_the_one_come_onto() -> None:
     with with_box(".5 1.4 -.5 0 0 0", (0.4, 0.4, 0.5)) as level:
-        held = CompiledLevel(compile_level(level)).ledges
+        compiled = CompiledLevel(compile_level(level))
+    held = compiled.ledges
     assert held is not None
     own = held.surface == -1
     assert (np.diff(held.surface) >= 0).all(), "by surface: those of things first"
@@ -141,7 +141,7 @@ def test_the_file_names_the_thing_that_an_edge_is_of_and_the_one_come_onto() -> 
     onto = held.onto == 2
     assert (held.below[onto] == -1).all()
     assert set(held.onto_face[~onto].tolist()) == {-1}
-    found = list(ledges_at(held, 0, 0, 2))
+    found = compiled.ledges_at(0, 0, 2)
     assert [Kind(each.kind) for each in found] == [Kind.FALL, Kind.FALL], "the box between them is level"
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from jktools.diagnostics import Diagnostic
+from jktools.diagnostics import Diagnostic, Severity
 from jktools.linter import find_rule, lint, rules
 from jktools.linter.rule import facts_of
 from jktools.model.cog.verbs import verb_from
@@ -187,3 +187,23 @@ def test_no_rule_fails_on_a_mutilated_corpus_script() -> None:
         pieces += [b"\n".join(line for i, line in enumerate(lines) if i % 3 != k) for k in range(3)]
         for piece in pieces:
             assert [d for d in lint(script_of(piece, name), on_scripts) if d.code.id == "JK901"] == []
+
+
+def test_a_verb_of_another_game_that_takes_nothing_does_no_harm() -> None:
+    found = script_findings("JK532", "startup:", "jkSyncForcePowers();", "WorldFlash(1.0, 0.5);", "return;")
+    assert [(d.severity, d.message.partition(" ")[0]) for d in found] == [
+        (Severity.WARNING, '"jksyncforcepowers"'), (Severity.ERROR, '"worldflash"'),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("loop", "told"), [
+    (["while (1)", "{", "Sleep(0.5);", "}"], 0),
+    (["while (1)", "{", "Sleep(0.5);", "if (x > 10) stop;", "}"], 0),
+    (["while (1)", "{", "Sleep(0.5);", "}", "x = 2;"], 0),
+    (["while (x < 10)", "{", "Sleep(0.5);", "x = x + Rand();", "}"], 1),
+    (["while (x < 10)", "{", "Sleep(0.5);", "x = x + Rand();", "}", "x = 2;"], 1),
+])  # fmt: skip
+def test_a_loop_without_end_runs_on_into_no_handler(loop: list[str], told: int) -> None:
+    script = ["symbols", "message startup", "message activate", "flex x local", "end", "code"]
+    code = ["startup:", *loop, "activate:", 'Print("active");', "return;", "end"]
+    assert len(script_findings("JK552", *script, *code)) == told

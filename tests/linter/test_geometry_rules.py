@@ -196,6 +196,14 @@ def test_boxes_radii_and_centres_at_their_tolerances() -> None:
     assert message == "the centre of sector 0 lies 0.25 JKU behind its surface 3, but should lie inside"
 
 
+def test_a_corner_that_the_sector_does_not_list_counts_for_its_extent() -> None:
+    """JK216 tells of the list; a box that is right must not be called wrong, nor the radius cut down to the list."""
+    short = ("Sector 1", "Vertices 4", "- 4: 7", "- 5: 11", "- 6: 10", "- 7: 6")
+    assert messages("JK312", *short) == []
+    assert messages("JK313", *short) == []
+    assert messages("JK216", *short) != []
+
+
 def test_an_inverted_box_names_its_axis() -> None:
     (message,) = messages("JK311", "Sector 1", "CollideBox .1 1.1 .9 .9 1.9 .1")
     assert message == "the collide box of sector 1 reaches along z from 0.9 down to 0.1, but must reach up"

@@ -61,6 +61,6 @@ def test_cog_places_are_counted_behind_those_that_are_placed() -> None:
     assert messages("JK806", "World cogs 3", *templates) == []
     (message,) = messages("JK806", "World cogs 2", *templates)
     assert message == (
-        "the heading announces 2 COGs, but the level places 1 and 2 templates and things have one; template 4 (b) is "
-        "the first without"
+        "the heading announces 2 COGs, but the level places 1, and 2 templates and things have one with cog=; "
+        "template 4 (b) is the first without room"
     )

@@ -15,7 +15,7 @@ def test_a_material_must_be_in_the_list_or_below_0(material: str, told: bool) ->
 
 def test_what_there_is_is_told() -> None:
     (message,) = messages("JK101", "World surfaces 12", "1: 3 0x4 0x4 4 3 1 -1 0 4 4,0 7,1 6,2 5,3 1 1 1 1")
-    assert message == "surface 1 (sector 0, surface 1) has material 3, but the level has the materials 0 to 0"
+    assert message == "surface 1 (sector 0, surface 1) has material 3, but the level has material 0 alone"
     none = messages("JK101", "World materials 1", "- 0: wall.mat 1 1")
     assert len(none) == 12
     assert none[0].endswith("has material 0, but the level has no materials")
@@ -28,7 +28,7 @@ def test_a_surface_that_could_not_be_read_has_no_material() -> None:
 
 def test_a_colormap_must_exist() -> None:
     (message,) = messages("JK102", "Sector 1", "Colormap 1")
-    assert message == "sector 1 has colormap 1, but the level has the colormaps 0 to 0"
+    assert message == "sector 1 has colormap 1, but the level has colormap 0 alone"
     assert marked("JK102", "Sector 0", "Colormap -1") == ["-1"]
 
 

@@ -53,7 +53,7 @@ def test_findings_name_objects_and_places() -> None:
     (found,) = lint(level_of(text))
     assert (
         found.message
-        == "surface 7 (sector 1, surface 1) names texture vertex 9, but the level has texture vertex 0 to 3"
+        == "surface 7 (sector 1, surface 1) names texture vertex 9, but the level has the texture vertices 0 to 3"
     )
     assert found.subject is not None
     assert (found.subject.kind, found.subject.index) == ("surface", 7)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from jktools.linter import find_rule, lint
+from jktools.model.cog.messages import messages_of
 from tests.support.scripts import script_findings, script_of, whole
 
 
@@ -34,6 +35,33 @@ def test_symbols_past_the_limit() -> None:
     assert messages("JK514", *(f"x{i} = 1;" for i in range(250)), *('Print("s");' for _ in range(7))) == [
         "the script has 257 symbols, 7 of them strings, but the engine tells only 256 apart"
     ]
+
+
+def test_symbols_that_are_declared_past_the_limit() -> None:
+    """Local numbers count for no other limit: the table is what they fill."""
+    declared = ["symbols", "message startup", *(f"int x{i} local" for i in range(257)), "end"]
+    assert messages("JK514", *declared[:-2], "end") == [
+        "the script has 257 symbols, 0 of them strings, but the engine tells only 256 apart"
+    ]
+    assert messages("JK514", *declared[:-3], "end") == []
+    assert messages("JK513", *declared) == []
+    assert messages("JK512", *declared[:-1], "message timer", "end") == []
+
+
+def test_a_message_that_the_engine_drops_is_not_called_undeclared() -> None:
+    names = [name for name in messages_of("jk") if name not in ("trigger", "activate")][:32]
+    declared = [f"message {name}" for name in names]
+    code = ["code", "x = 1;", "return;", "trigger:", "x = 2;", "return;", "end"]
+    assert messages("JK536", "symbols", *declared, "end", *code) != []
+    assert messages("JK536", "symbols", *declared, "message trigger", "end", *code) == []
+    assert len(messages("JK512", "symbols", *declared, "message trigger", "end", *code)) == 1
+
+
+def test_a_quote_that_ends_the_game_is_not_told_as_dropped() -> None:
+    far = "x = 1; // a comment" + " " * 17_000
+    assert messages("JK519", 'Print("a);', "x = 1;") != []
+    assert messages("JK519", 'Print("a);', far) == []
+    assert messages("JK062", 'Print("a);', far) != []
 
 
 @pytest.mark.parametrize(

@@ -102,6 +102,9 @@ def test_a_player_starts_somewhere() -> None:
     without = ("World things 3", "0: ghost ghost .5 .5 .2 0 0 0 0")
     assert messages("JK408", *without) == ["the level has 2 things, but none of type player"]
     assert marked("JK408", *without) == ["SECTION: THINGS"]
+    (nobody,) = messages("JK408", "World things 0", "- 0: walkplayer walkplayer .5 .5 .2 0 0 0 0",
+                         "- 1: ghost ghost .5 1.5 .5 0 90 0 1")  # fmt: skip
+    assert nobody == "the level has no things, but needs one of type player"
     # A child of walkplayer is a player too, and an unknown template may be one.
     child = ("World templates 4", "kyle walkplayer size=.07", *without[:1], "0: kyle kyle .5 .5 .2 0 0 0 0")
     assert messages("JK408", *child) == []

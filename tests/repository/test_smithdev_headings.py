@@ -8,11 +8,16 @@ from pathlib import Path
 
 import pytest
 
+from fixtures.smithdev.pack import GOB
+from jktools.source import Container, resolve
 from tests.support.levels import CORPUS, ROOT
 
 DOCUMENT = CORPUS.parent / "seed/jk-engine-research.txt"
 PAGE = (ROOT / "docs/smithdev.md").read_text("utf-8")
 ROWS = re.findall(r"^\| (?!heading)(.+?) \| (.+) \|$", PAGE.partition("## The document, heading by heading")[2], re.M)
+SCRIPTS = re.findall(
+    r"^\| ([\w.]+\.cog) \| .+ \| (.+) \|$", PAGE.partition("## The scripts")[2].partition("\n## ")[0], re.M
+)
 TEST = re.compile(r"((?:tests/[\w/]+/)?test_\w+\.py)::(test_\w+)")
 RUNNING_HEADS = {"jk engine research", "2018 bad ass hackers", "table of contents"}
 """What the document prints at the top of its pages; no headings."""
@@ -38,7 +43,14 @@ def test_every_heading_is_listed() -> None:
     assert Counter(heading.rpartition(" > ")[2].casefold() for heading, _ in ROWS) == titles()
 
 
-@pytest.mark.parametrize(("heading", "answer"), ROWS)
+def test_every_script_is_listed() -> None:
+    pack = resolve(str(GOB))
+    assert isinstance(pack, Container)
+    packed = [member.name.removeprefix("cog/") for member in pack.members if member.name.startswith("cog/")]
+    assert sorted(script for script, _ in SCRIPTS) == sorted(packed)
+
+
+@pytest.mark.parametrize(("heading", "answer"), ROWS + SCRIPTS)
 def test_each_has_tests_that_exist_or_a_reason(heading: str, answer: str) -> None:
     named = TEST.findall(answer)
     for file, name in named:

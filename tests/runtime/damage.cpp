@@ -44,10 +44,22 @@ void ask(const jklb::Level& level) {
         for (jklb::Index other = -1; other <= mesh.sectors() && other < 8; ++other) visible(s, other);
     }
     for (const auto& point : points) locator(point);
+    const jklb::BasinsOf basins(level);
+    for (jklb::Index i = 0; i < basins.size(); ++i)
+        for (jklb::Index k = 0; k < basins[i].count; ++k) basins.floor(basins[i].first + k);
+    ledges.body("walkplayer");
     for (jklb::Index body = -1; body <= ledges.bodies() && body < 8; ++body) {
-        for (jklb::Index surface = 0; surface < mesh.surfaces() && surface < 16; ++surface)
+        for (jklb::Index surface = -1; surface <= mesh.surfaces() && surface < 16; ++surface) {
             for (jklb::Index corner = 0; corner < 4; ++corner) ledges.at(body, surface, corner, 0.5);
-        jklb::basins(level, body);
+            for (const auto& from : points)
+                for (const auto& to : points) ledges.leave(mesh, body, jklb::Floor::of_surface(surface), from, to);
+            basins.at(body, surface);
+        }
+        for (jklb::Index thing = -1; thing < 4; ++thing) {
+            ledges.of_thing(body, thing, -1, 0, 0, 0.5);
+            const auto face = jklb::Floor::of_thing(thing, -1, 0, points[0], 5);
+            ledges.leave(mesh, body, face, points[0], points[1]);
+        }
     }
     for (std::size_t i = 0; i < level.strings(); ++i) std::string(level.string(i)).c_str();
     if (const auto& t = level.sections().templates) read(t->value_text), read(t->number), read(t->list_number);

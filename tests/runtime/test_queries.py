@@ -14,11 +14,12 @@ import pytest
 
 from benchmarks.runtime_disagreement import QUESTIONS, asked_of
 from benchmarks.runtime_queries import ask, differing
-from jktools.compiler import CompiledLevel, CompileSettings, compile_level
+from jktools.compiler import CompiledLevel, CompileSettings, Ledge, ThingFace, compile_level
 from jktools.facts.ledges import Kind
 from jktools.model import Level
 from jktools.session import load
-from tests.runtime.compiler import FLATBUFFERS, compiler
+from tests.facts.test_ledges_on_things import FRAMES, with_box
+from tests.runtime.compiler import FLATBUFFERS, built, compiler
 from tests.support.halls import crooked_halls, crossroads, halls
 from tests.support.levels import ROOT, TWO_ROOMS, corpus_files, level_of, two_rooms
 
@@ -75,8 +76,12 @@ def answers(program: Path, path: Path, lines: list[str]) -> list[str]:
 
 def told(compiled: CompiledLevel, body: int, surface: int, corner: int, place: float | None = None) -> str:
     """A ledge as jklb_query tells it."""
+    return texts(compiled.ledges_at(body, surface, corner, place))
+
+
+def texts(ledges: list[Ledge]) -> str:
     texts = []
-    for each in compiled.ledges_at(body, surface, corner, place):
+    for each in ledges:
         text = f"{each.start:.9g} to {each.end:.9g} {Kind(each.kind).name.lower()}"
         text += f", surface {each.below}" if each.below >= 0 else ""
         text += f", face {each.onto_face} of thing {each.onto}" if each.onto >= 0 else ""
@@ -119,6 +124,50 @@ def test_ledges_of_a_real_level_that_lead_onto_things(corpus: Path, jklb_query: 
     assert answers(jklb_query, path, ["ledges 0 346 4 .7772"]) == [
         "0.777153552 to 0.777292371 wall, face 2 of thing 74"
     ]
+
+
+def left(compiled: CompiledLevel, floor: int | ThingFace, origin: list[float], target: list[float]) -> str:
+    """What jklb_query tells of a way."""
+    leave = compiled.leave(0, floor, origin, target)
+    if leave.corner < 0:
+        return "stays" if leave.kind == Kind.LEVEL else "unknown"
+    text = f"leaves by corner {leave.corner} at {leave.place:.9g}, {leave.along:.9g} along the way: "
+    text += Kind(leave.kind).name.lower()
+    text += f", surface {leave.ledge.below}" if leave.ledge.below >= 0 else ""
+    text += f", face {leave.ledge.onto_face} of thing {leave.ledge.onto}" if leave.ledge.onto >= 0 else ""
+    text += f", {leave.drop:.9g} JKU down" if leave.drop == leave.drop else ""
+    return text + (", detaches" if leave.detaches else "")
+
+
+def test_ways_over_things_are_those_of_python(jklb_query: Path, tmp_path: Path) -> None:
+    """Over the top of a box, its placed pose and frame 1, from places on a grid to others, its corners among them."""
+    frames = FRAMES.format(a=-0.2, b=-0.35).replace("1.4", "1.5")
+    with with_box(".5 1.5 -.2 0 0 0", more=frames) as level:
+        path, compiled = compiled_at(tmp_path, level)
+    rng = np.random.default_rng(8)
+    lines, wanted = [], []
+    for frame, top in ((-1, -0.075), (1, -0.225)):
+        ring = [[x, y, top] for x, y in ((0.125, 1.125), (0.875, 1.125), (0.875, 1.875), (0.125, 1.875))]
+        for origin, target in (rng.integers([0, 8, 0], [9, 17, 1], (150, 2, 3)) / 8).tolist():
+            words = [f"{x:.17g}" for point in (origin, target, *ring) for x in point]
+            lines.append(f"leave-thing 0 2 {'placed' if frame < 0 else frame} 0 " + " ".join(words))
+            wanted.append(left(compiled, ThingFace(2, frame, 0, ring), origin, target))
+    assert answers(jklb_query, path, lines) == wanted
+    said = {re.sub(r"[\d.]+", "0", text) for text in wanted}
+    assert said == {
+        "stays",
+        "unknown",
+        "leaves by corner 0 at 0, 0 along the way: fall, surface 0, 0 JKU down, detaches",
+    }
+    edges = [(frame, corner) for frame in (-1, 1) for corner in range(4)]
+    asked = [f"ledges-of-thing 0 2 {'placed' if frame < 0 else frame} 0 {corner}" for frame, corner in edges]
+    found = answers(jklb_query, path, asked)
+    assert found == [texts(compiled.ledges_of_thing(0, 2, frame, 0, corner)) for frame, corner in edges]
+    assert answers(jklb_query, path, [f"{line} .5" for line in asked]) == found
+    assert answers(jklb_query, path, ["ledges-of-thing 0 2 placed 1 0"]) == ["level"]
+    assert answers(jklb_query, path, ["ledges-of-thing 0 2 0 0 0", "leave-thing 0 1 placed 0" + " 0" * 15]) == [
+        "refused: no edge of thing 2 is listed at frame 0", "refused: no edge of thing 1 is listed at frame placed"
+    ]  # fmt: skip
 
 
 def test_what_is_no_edge_of_a_floor_is_not_said_to_be_level(jklb_query: Path, tmp_path: Path) -> None:
@@ -193,11 +242,23 @@ def test_a_way_that_parts_at_an_edge(first: bool, second: bool, jklb_query: Path
         (["ledges", "0", "0", "0"], "how high body 0 floats was not known when the level was compiled"),
         (["basins", "0"], "how high body 0 floats was not known when the level was compiled"),
         (["basins", "1"], "body 1 does not exist: there are 1"),
-        (["--binary", "nowhere", "out"], "cannot read nowhere"),
+        (["ledges", "kyle", "0", "0"], "no body is of the template 'kyle'"),
+        (["leave", "0", "0", "1"], "leave takes 8 words, not 3"),
+        (["leave-thing", "0", "0", "0", "0", *"0" * 16], "leave-thing takes 4 numbers, 2 points and 3 corners or more"),
+        (["--binary", "nowhere", "out"], "cannot read nowhere: no such file or directory"),
+        (["--binary", ".", "out"], "cannot read .: is a directory"),
+        (["--binary", "odd", "out"], "odd is not whole queries of 72 bytes"),
+        (["--binary", "none", "nowhere/out"], "cannot write nowhere/out: no such file or directory"),
+        (["--binary", "none"], "--binary takes two files, not 1"),
+        (["--time", "1"], "--time takes no words, not 1"),
+        (["-", "1"], "- takes no words, not 1"),
+        (["--what"], "no question '--what'; ask without one for help"),
     ],
 )
 def test_a_wrong_question_is_one_sentence(arguments: list[str], why: str, jklb_query: Path, tmp_path: Path) -> None:
     path, _ = compiled_at(tmp_path, level_of(TWO_ROOMS))
+    (tmp_path / "none").touch()
+    (tmp_path / "odd").write_bytes(bytes(71))
     done = subprocess.run([jklb_query, path, *arguments], capture_output=True, text=True, check=False, cwd=tmp_path)
     assert (done.returncode, done.stdout, done.stderr) == (2, "", f"jklb_query: error: {why}\n")
 
@@ -207,16 +268,16 @@ def test_what_cannot_be_asked_is_answered_as_unknown(jklb_query: Path, tmp_path:
 
     path, _ = compiled_at(tmp_path, level_of(TWO_ROOMS))
     queries = np.zeros(7, QUERY)
-    queries["kind"] = [SIGHT, SIGHT, DROP, DROP, LOCATE, VISIBLE, 9]
-    queries["sector"] = [2, 0, -1, 0, 0, 2, 0]
+    queries["kind"] = [SIGHT, SIGHT, DROP, DROP, LOCATE, VISIBLE, 99]
+    queries["which"][:, 0] = [2, 0, -1, 0, 0, 2, 0]
     queries["origin"][1] = np.nan
     queries["target"][3, 0] = -1
     queries["origin"][4] = 2.0**150
     found, _ = ask(jklb_query, path, queries)
-    assert found[["first", "second", "third"]].tolist() == [
-        (0, 0, -1), (0, 0, -1), (5, -1, -1), (5, -1, 0), (-1, 0, 0), (0, 0, 0), (-1, -1, -1)
+    assert found["whole"][:, :3].tolist() == [
+        [0, 0, -1], [0, 0, -1], [5, -1, -1], [5, -1, 0], [-1, 0, 0], [0, 0, 0], [-1, -1, -1]
     ]  # fmt: skip
-    assert np.isnan(found["distance"][2:4]).all()
+    assert np.isnan(found["real"][2:4, 0]).all()
 
 
 def test_the_summary_and_the_times(jklb_query: Path, tmp_path: Path) -> None:
@@ -242,16 +303,45 @@ def test_cmake_builds_the_sample(programs: Path, tmp_path: Path) -> None:
     )
 
 
+def blocks_of_the_readme() -> list[str]:
+    return re.findall(r"^```cpp\n(.*?)^```", (ROOT / "runtime/README.md").read_text(), re.DOTALL | re.MULTILINE)
+
+
 def test_the_code_of_the_readme_compiles(programs: Path) -> None:
-    readme = (ROOT / "runtime/README.md").read_text()
-    block = re.search(r"^```cpp\n(#include .*?)\n(.*?)^```", readme, re.DOTALL | re.MULTILINE)
-    assert block
-    include, code = block.groups()
+    include, code = blocks_of_the_readme()[0].split("\n", 1)
     source = programs / "readme.cpp"
     source.write_text(f"{include}\nvoid report(const std::string&);\nvoid shown() {{\n{code}\n}}\n")
     command = [compiler(), "-std=c++17", "-fsyntax-only", "-I", ROOT / "runtime", "-isystem", FLATBUFFERS, source]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_the_walk_of_the_readme(programs: Path, tmp_path: Path) -> None:
+    """Over the halls: floors at 0 up to x = 4, a pit of 2 JKU to 6, a bank to 8, a step of 1/16 to 8.5, 0.5 beyond."""
+    source = programs / "walk.cpp"
+    source.write_text(blocks_of_the_readme()[1])
+    program = built(str(source), programs / "walk", ("-O2", "-fno-exceptions", "-fno-rtti"))
+    path, compiled = compiled_at(tmp_path, halls())
+    floors = {
+        round(float(compiled.vertices[own][:, 0].min()), 3): surface
+        for surface in np.flatnonzero(compiled.surface_flags & 1).tolist()
+        for own in [
+            compiled.geometry.corner_vertex[slice(*compiled.geometry.surface_corner_start[surface : surface + 2])]
+        ]
+        if compiled.vertices[own][:, 1].max() <= 4
+    }
+
+    def walk(*words: str) -> list[str]:
+        done = subprocess.run([program, path, *words], capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stderr) == (0, "")
+        return done.stdout.splitlines()
+
+    assert walk("walkplayer", "2", "2", ".18", ".02", "0") == [f"detaches at 4 2, 2 JKU over surface {floors[4]}"]
+    assert walk("WalkPlayer", "7", "2", ".18", ".02", ".01") == [
+        f"goes over to surface {floors[8]}, -0.0625 JKU down", "is stopped at 8.5 2.75"
+    ]  # fmt: skip
+    assert walk("walkplayer", "2", "2", ".18", "0", "-.02") == ["is stopped at 2 0"]
+    assert walk("another", "2", "2", ".18", "0", ".02") == [f"does not know surface {floors[0]}"]
 
 
 def test_the_commands_of_the_readme_are_those_that_are_tried_here() -> None:

@@ -6,6 +6,7 @@ the tree itself, and knows nothing of blocks, ranges or rates.
 
 from __future__ import annotations
 
+import math
 import random
 from collections import Counter
 from collections.abc import Mapping
@@ -28,6 +29,12 @@ MOST_NESTED = 30
 
 OWN_NUMBER = 2
 """Of the placed script; what the level gives its cog symbols is another."""
+
+NOT_FROM_OUTSIDE = ("pulse", "timer", "loading", "startup", "shutdown")
+"""Messages that come of clocks, or once in the life of a level."""
+
+NEVER_DUE = (math.inf, 0.0, "")
+"""For a pulse or timer that another handler has turned off in the same frame."""
 
 IDLE, RUNNING, SLEEPING, WAITING, INTERRUPTED = range(5)
 
@@ -186,7 +193,7 @@ class Machine:
         self.timer: tuple[float, str] | None = None
         self.queue: list[tuple[float, str]] = []
         self.thing_pulses: dict[int, tuple[float, float, str]] = {}
-        self.thing_timers: dict[int, tuple[float, str]] = {}
+        self.thing_timers: dict[int, tuple[float, float, str]] = {}
         self.steps = 0
         self.values: list[Value] = []
         for slot in program.slots:
@@ -212,16 +219,16 @@ class Machine:
     def run(self, seconds: float, events_per_second: float = 2.0) -> Log:
         """Start the level and let time pass."""
         try:
-            for handler in self.program.handlers:
-                if handler.message.name in ("loading", "startup"):
-                    self.event(handler.label)
+            for name in ("loading", "startup"):
+                for handler in self.program.handlers:
+                    if handler.message.name == name:
+                        self.event(handler.label)
+            outside = [h.label for h in self.program.handlers if h.message.name not in NOT_FROM_OUTSIDE]
             for frame in range(int(seconds * self.fps)):
                 self.now = frame / self.fps
                 self.tick()
-                if self.random.random() < events_per_second / self.fps:
-                    outside = [h.label for h in self.program.handlers if h.message.name not in ("pulse", "timer")]
-                    if outside:
-                        self.event(self.random.choice(outside))
+                if self.random.random() < events_per_second / self.fps and outside:
+                    self.event(self.random.choice(outside))
         except HungError:
             self.log.hung = True
         return self.log
@@ -233,11 +240,13 @@ class Machine:
         if self.timer is not None and self.timer[0] <= self.now:
             cause, self.timer = self.timer[1], None
             self.message(4, cause)
-        for thing, (due, every, cause) in list(self.thing_pulses.items()):
+        for thing in list(self.thing_pulses):
+            due, every, cause = self.thing_pulses.get(thing, NEVER_DUE)
             if due <= self.now:
                 self.thing_pulses[thing] = (self.now + every, every, cause)
                 self.message(13, cause)
-        for thing, (due, cause) in list(self.thing_timers.items()):
+        for thing in list(self.thing_timers):
+            due, _, cause = self.thing_timers.get(thing, NEVER_DUE)
             if due <= self.now:
                 del self.thing_timers[thing]
                 self.message(4, cause)
@@ -263,12 +272,15 @@ class Machine:
         self.log.runs[label] += 1
         if self.state == IDLE:
             self.stack.clear()
-        elif len(self.frames) < FRAMES:
+        else:
             state = INTERRUPTED if self.state == RUNNING else self.state
-            self.frames.append((self.pc, state, self.wake, self.handler))
+            if len(self.frames) < FRAMES:
+                self.frames.append((self.pc, state, self.wake, self.handler))
         self.state, self.pc, self.handler = RUNNING, self.labels[label], label
         self.at_label = label
         self.execute()
+        if self.state == INTERRUPTED:
+            self.state = RUNNING
 
     # ---- the machine
 
@@ -283,6 +295,9 @@ class Machine:
             getattr(self, f"do_{op}")(arg, node)
 
     nested = 0
+    displaced = False
+    """Whether a handler found no place to keep what it interrupted, and older code went on in its stead: with what lies
+    on the stack by then, of which nothing is said."""
 
     def pop(self) -> Value | None:
         return self.stack.pop() if self.stack else None
@@ -380,13 +395,14 @@ class Machine:
             return
         given = tuple(reversed([self.pop() for _ in verb.args]))
         self.log.calls[node.start] += 1
-        self.log.arguments.setdefault(node.start, []).append(given)
+        if not self.displaced:
+            self.log.arguments.setdefault(node.start, []).append(given)
         special = getattr(self, f"verb_{name}", None)
         if special is not None:
             special(*given)
         elif verb.delivers and self.random.random() < 0.05:
             handler = self.random.choice(self.program.handlers)
-            if handler.message.id not in (4, 13):
+            if handler.message.name not in NOT_FROM_OUTSIDE:
                 self.interrupt(lambda: self.event(handler.label))
         if verb.returns != "void" and not (verb.pushes == "maybe" and self.random.random() < 0.3):
             self.push(self.answer(verb))
@@ -397,12 +413,12 @@ class Machine:
         """Run handlers in the middle of a verb, and come back."""
         if self.nested > MOST_NESTED:
             raise HungError
-        before = (self.pc, self.state, self.handler, len(self.frames))
+        before = (self.pc, len(self.frames))
         self.nested += 1
         action()
         self.nested -= 1
-        if self.state == INTERRUPTED and len(self.frames) == before[3] and self.pc == before[0]:
-            self.state = RUNNING
+        if self.state == RUNNING and (self.pc, len(self.frames)) != before:
+            self.displaced = True
 
     def answer(self, verb: Verb) -> Value:
         pick = self.random
@@ -471,7 +487,7 @@ class Machine:
         self.thing_timers.pop(which, None)
         if which >= 0 and after != 0:
             self.log.things.add(which)
-            self.thing_timers[which] = (self.now + after, self.handler)
+            self.thing_timers[which] = (self.now + after, after, self.handler)
 
     def verb_sendmessage(self, cog: Any, number: Value | None) -> None:
         cause = self.handler

@@ -16,7 +16,7 @@ from jktools.model.cog import values
 from jktools.model.cog.values import Value
 from jktools.model.cog.verbs import Verb
 from jktools.syntax.cog import nodes as n
-from tests.support.cog_machine import FRAMES, SLEEPING, WAITING, HungError, Machine
+from tests.support.cog_machine import SLEEPING, WAITING, HungError, Machine
 
 FRAME = 20
 """Milliseconds."""
@@ -30,10 +30,6 @@ MOST_STEPS = 60_000
 def milliseconds(seconds: Value | None) -> int:
     """As the engine cuts seconds."""
     return int(values.to_flex(seconds) * 1000.0)
-
-
-class LostError(Exception):
-    """What the engine does from here on is not defined: a `call` with no place left for the way back."""
 
 
 class Actor(Machine):
@@ -70,11 +66,6 @@ class Actor(Machine):
         if (self.state == SLEEPING and self.wake < now) or (self.state == WAITING and self.wake <= now):
             self.state = 1
             self.execute()
-
-    def do_gosub(self, arg: str, node: Any) -> None:
-        if arg in self.labels and len(self.frames) >= FRAMES:
-            raise LostError
-        super().do_gosub(arg, node)
 
     # ---- verbs
 
@@ -224,7 +215,7 @@ class World:
             actor.receive(actor.program.handler_of[label].message.id, sender, self.random.choice([0, 10, 12, 13]))
 
     def run(self, seconds: float) -> float:
-        """Start the level and let time pass; the seconds until too much happened or all was lost, 0 where it hangs."""
+        """Start the level and let time pass; the seconds until too much happened, 0 where it hangs."""
         for actor in self.actors:
             for handler in actor.program.handlers:
                 if handler.message.name in ("activated", "touched", "user0", "user1", "trigger", "created"):
@@ -241,8 +232,6 @@ class World:
                 self.frame()
                 if sum(actor.steps for actor in self.actors) > MOST_STEPS:
                     break
-        except LostError:
-            pass
         except HungError:
             return 0.0
         return (self.now + FRAME) / 1000

@@ -151,7 +151,7 @@ def test_faults_are_bounded() -> None:
     broken = "\n".join(f"{i}: x" for i in range(5000))
     level = level_of(TWO_ROOMS.replace("World vertices 12", f"World vertices 5012\n{broken}"))
     assert len(level.diagnostics) == 1001
-    assert level.diagnostics[0].message == "1000 faults are reported, but 4000 more were found"
+    assert level.diagnostics[0].message == "1000 faults are reported, but the file has 4000 more"
 
 
 def test_a_continued_line_has_spans_in_both_its_parts() -> None:

@@ -23,10 +23,12 @@ from jktools.engine.simulation import History, Phase, Simulation, simulate
 from jktools.engine.thrust import Keys, Support
 from jktools.geometry import points_outside
 from jktools.geometry.collision import Collision
+from jktools.geometry.plan import plan_of
 from jktools.model import Level
-from jktools.trace.in_level import LevelSimulation, Start, start_at, trace_in_level
+from jktools.trace.in_level import LevelSimulation, start_at, trace_in_level
 from jktools.trace.level_ground import LevelGround
 from jktools.trace.script import parse
+from jktools.trace.stage import Start, stage_of
 from tests.support.hub import hub
 from tests.support.levels import ROOT, corpus_files, level_of, two_rooms
 from tests.support.terraces import rounded, terraces
@@ -39,7 +41,7 @@ ALL_KEYS = "0 run forward\n2 run left\n3 jump\n4 run forward right\n6 run back\n
 
 
 def ground(level: Level, x: float, y: float, z: float, sector: int = 0) -> LevelGround:
-    return LevelGround(Collision(level), (x, y, z), sector)
+    return LevelGround(Collision(plan_of(level)), (x, y, z), sector)
 
 
 def end(script: str, level: Level = ROOMS, start: Start = MIDDLE, *, fps: float = 50.0) -> list[float]:
@@ -138,7 +140,7 @@ def test_a_ceiling_stops_a_jump() -> None:
 
 def test_water_takes_the_floor_away() -> None:
     wet = level_of(two_rooms("Sector 1", "Flags 0x2"))
-    body = LevelSimulation(wet, MIDDLE, WALKPLAYER)
+    body = LevelSimulation(stage_of(wet), MIDDLE, WALKPLAYER)
     body.rest_on_ground()
     assert body.support() is Support.SURFACE
     walk = simulate(body, [Phase(0, Keys(forward=1))], 2.0, 0.02)
@@ -293,7 +295,7 @@ def test_moves_as_over_a_flight_that_ends_in_a_rise() -> None:
     st.sampled_from(["run forward", "run right back", "crouch"]),
 )
 def test_never_leaves_the_rooms(velocity: list[float], fps: float, keys: str) -> None:
-    body = LevelSimulation(ROOMS, Start((0.4, 0.6, 0.5), 0), WALKPLAYER)
+    body = LevelSimulation(stage_of(ROOMS), Start((0.4, 0.6, 0.5), 0), WALKPLAYER)
     body.velocity = np.array(velocity)
     path = simulate(body, parse(f"0 {keys}\n2 end").phases, 20 / fps, 1 / fps).position
     assert (path >= R - 1e-9).all() and (path <= np.array([1, 2, 1]) - R + 1e-9).all()

@@ -18,6 +18,7 @@ from typing import NamedTuple
 from jktools.facts.cog import ranges
 from jktools.facts.cog.lowering import Block, Flow, Instruction, Op
 from jktools.facts.cog.ranges import ANY, ANY_INT, FALSE, Range
+from jktools.facts.cog.stack import is_plain
 from jktools.model.cog import values
 from jktools.model.cog.program import Program
 from jktools.model.cog.values import Value
@@ -365,6 +366,8 @@ class _Sharpening:
 
     def refine(self, condition: Expression | None, state: State, holds: bool) -> State | None:
         """A state with what a condition tells; None where it cannot have this outcome."""
+        if condition is not None and not is_plain(self.program, condition):
+            return state
         pending = [(condition, holds)]
         state = dict(state)
         while pending:

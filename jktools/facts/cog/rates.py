@@ -17,17 +17,20 @@ from typing import Literal
 import msgspec
 
 from jktools.facts.cog import ranges
+from jktools.facts.cog.counter import Counter
 from jktools.facts.cog.dataflow import Known
 from jktools.facts.cog.lowering import Flow, Op
 from jktools.facts.cog.ranges import Range
 from jktools.facts.cog.reach import Reach
-from jktools.facts.cog.repeats import FRAMES_PER_SECOND, NEVER, Counter, Repeats
+from jktools.facts.cog.repeats import FRAMES_PER_SECOND, NEVER, Repeats
+from jktools.facts.cog.stack import written
 from jktools.model.cog.messages import ONCE
 from jktools.model.cog.program import Handler, Program
 from jktools.model.cog.verbs import Verb
 from jktools.syntax.cog.nodes import Call, Name
 
 PULSE, TIMER = 13, 4
+STARTUP, LOADING = "startup", "loading"
 TRIGGER = 40
 
 SourceKind = Literal[
@@ -136,7 +139,41 @@ class Rates:
     @cached_property
     def repeats(self) -> Mapping[str, Mapping[int, Repeats]]:
         """For each handler's label, how often a run passes each block."""
-        return {h.label: self.counter.of_handler(self.flow.label_block[h.label]) for h in self.program.handlers}
+        return self.repeats_by(self.counter)
+
+    def repeats_by(self, counter: Counter, *, first: bool = True) -> Mapping[str, Mapping[int, Repeats]]:
+        """The same as a counter has it; without `first`, `startup` may find other runs unfinished, as all others do."""
+        return {
+            h.label: counter.of_handler(self.flow.label_block[h.label], first=first and self.is_first(h))
+            for h in self.program.handlers
+        }
+
+    def is_first(self, handler: Handler) -> bool:
+        """Whether a handler runs once, and before all that the script can leave unfinished.
+
+        The engine sends `loading` to every script, then `startup`, and then all the rest (sithCog_Open and
+        sithMain_AutoSave in the decompiled engine). Other scripts may send something in between: that is not seen here.
+        """
+        sent = any(
+            self._reaches(site, sending, handler)
+            for site in self.sites
+            if (sending := _SENDERS.get(site.verb.name)) is not None
+        )
+        others = [h for h in self.program.handlers if h is not handler]
+        early = any(h.message.name == LOADING for h in others) and any(self.sleeps(h.label) for h in others)
+        return handler.message.name == STARTUP and not sent and not early
+
+    def sleeps(self, label: str) -> bool:
+        """Whether a handler can sleep, or wait for a thing.
+
+        Only then is a run of its script left unfinished when the engine goes on: its own, and those that it came on
+        top of while they were in a verb.
+        """
+        return any(
+            op is Op.CALL and verb.sleeps
+            for index in self.reach.handler_blocks[label] & self.known.visited
+            for op, verb, _ in self.flow.blocks[index].code
+        )
 
     def repeats_of(self, label: str, site: Site) -> Repeats:
         """How often a call happens in the runs of a handler."""
@@ -195,10 +232,10 @@ class Rates:
 
         A cog symbol that nothing assigns means another script: a level that binds one to itself is not thought of.
         """
-        target = site.call.arguments[0] if site.call.arguments else None
+        target = written(self.program, site.call)[0]
         if isinstance(target, Name):
             slot = self.program.slot_of.get(target.name)
-            return slot is None or slot.type != "cog" or self.counter.is_stored(slot.index)
+            return slot is None or slot.type != "cog" or self.counter.counting.is_stored(slot.index)
         return True
 
     @cached_property

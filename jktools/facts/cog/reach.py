@@ -13,6 +13,9 @@ from jktools.model.cog.program import Program
 from jktools.syntax.cog.nodes import Block as Braces
 from jktools.syntax.cog.nodes import CallLabel, Empty, Goto, Labeled, Statement
 
+MOST_FRAMES = 4
+"""How deep `call` and messages nest."""
+
 
 @dataclass(frozen=True, slots=True)
 class Passage:
@@ -111,17 +114,17 @@ class Reach:
         return tuple(found)
 
     @cached_property
-    def falls(self) -> tuple[tuple[Labeled, str], ...]:
-        """Labels that code above falls into, with the label that this code stands under."""
+    def falls(self) -> tuple[tuple[Labeled, tuple[int, ...]], ...]:
+        """Labels that code above falls into, with the blocks that this code ends with."""
         found = []
         for block in self.flow.blocks:
-            above = [
-                self.label_of[i]
+            above = tuple(
+                i
                 for i in block.predecessors
                 if i < block.index and i in self._led and i in self.label_of and not self.flow.blocks[i].goes
-            ]
+            )
             if block.labels and above:
-                found.append((block.labels[0], above[-1]))
+                found.append((block.labels[0], above))
         return tuple(found)
 
     @cached_property

@@ -6,6 +6,7 @@ from jktools.facts.cog import ranges
 from jktools.facts.cog.analysis import Analysis
 from jktools.facts.cog.lowering import Block, Op
 from jktools.facts.cog.rates import Site
+from jktools.facts.cog.stack import written
 from jktools.model.cog.verbs import Verb
 from jktools.syntax.cog.nodes import Assign, Call, Expression, Name
 
@@ -37,7 +38,7 @@ def calls_off(analysis: Analysis, label: str, thing: int | None = None) -> froze
 def _is_of_sender(analysis: Analysis, label: str, site: Site, thing: int) -> bool:
     if site.arguments[0].number == thing:
         return True
-    given = site.call.arguments[0] if site.call.arguments else None
+    given = written(analysis.program, site.call)[0]
     return given is not None and _is_sender(analysis, label, given, site.call.start)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal, NamedTuple
 
 from jktools.facts.cog.rates import Site
+from jktools.facts.cog.stack import written
 from jktools.facts.hotspots.runners import Runner
 from jktools.facts.hotspots.traces import Leaf, leaves
 
@@ -31,12 +32,13 @@ class End(NamedTuple):
 
 def ends(runner: Runner, site: Site, argument: int) -> frozenset[End]:
     """What an argument of a call can be; empty where it is always none."""
-    if argument >= len(site.arguments) or argument >= len(site.call.arguments):
-        return frozenset({End("any")})
     number = site.arguments[argument].number
     if number is not None:
         return frozenset({End("thing", int(number))}) if number >= 0 else frozenset()
-    found = leaves(runner.analysis, site.call.arguments[argument])
+    given = written(runner.analysis.program, site.call)[argument]
+    if given is None:
+        return frozenset({End("any")})
+    found = leaves(runner.analysis, given)
     return frozenset(_end(runner, leaf) for leaf in found if not isinstance(leaf, int) or leaf >= 0)
 
 

@@ -16,13 +16,14 @@ import numpy as np
 
 from jktools.engine.profile import Engine
 from jktools.facts.cog import ranges
+from jktools.facts.cog.counting import MOST_SEEN
 from jktools.facts.cog.rates import Site
 from jktools.facts.cog.repeats import FRAMES_PER_SECOND
 from jktools.facts.hotspots.ends import ANY_TYPE, FLOODS, NEXT, End, ends, seen_mask
 from jktools.facts.hotspots.pace import Paces
 from jktools.facts.hotspots.runners import Runner
 from jktools.facts.hotspots.verdicts import Verdict, Verdicts
-from jktools.facts.hotspots.work import MOST_SEEN, Place, SightWork, Work
+from jktools.facts.hotspots.work import Place, SightWork, Work
 from jktools.model import Level, Thing
 from jktools.syntax.template.parameters import TYPES
 
@@ -108,7 +109,7 @@ class Hotspot:
         if self.verdict is not Verdict.VARIES:
             return "the outcome is known beforehand: leave the test out"
         if math.isinf(self.calls_per_second):
-            return "end the loop after a known number of turns, or sleep in it"
+            return "end the loop after a known number of turns, or sleep in the loop itself"
         if self.pulse < math.inf and self.runner.cog is None and len(self.runner.things) > 1:
             return "test less often, and only for things that the player is near"
         if self.pulse < math.inf:

@@ -18,10 +18,12 @@ from functools import cached_property
 from typing import NamedTuple, TypeVar
 
 from jktools.facts.cog import ranges
+from jktools.facts.cog.loops import endless_parts
 from jktools.facts.cog.lowering import Block
 from jktools.facts.cog.rates import Site, apart
-from jktools.facts.cog.repeats import Repeats, endless_parts
-from jktools.facts.hotspots.network import Clock, Inputs, Network, Node, Sending
+from jktools.facts.cog.repeats import Repeats
+from jktools.facts.hotspots.inputs import Clock, Inputs, Node, Sending
+from jktools.facts.hotspots.network import Network
 from jktools.facts.hotspots.runners import Runner
 from jktools.geometry.components import components
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from jktools.facts.cog.analysis import Analysis
 from jktools.facts.cog.dataflow import default_value
 from jktools.facts.cog.instance import InstanceFacts
+from jktools.facts.cog.stack import written
 from jktools.facts.hotspots.traces import leaves
 from jktools.facts.reachability import ITEMS, OF_STATIC, STATIC, Reach
 from jktools.facts.script import ScriptFacts
@@ -154,7 +155,7 @@ def _captured(analysis: Analysis) -> tuple[set[int], bool]:
         if number is not None:
             found.add(int(number))
             continue
-        given = site.call.arguments[0] if site.call.arguments else None
+        given = written(analysis.program, site.call)[0]
         for leaf in [None] if given is None else leaves(analysis, given, starts=True):
             if isinstance(leaf, int):
                 found.add(leaf)

@@ -36,9 +36,7 @@ class _Tracing:
         self.slots: set[int] = set()
 
     def step(self, at: Expression) -> Iterator[Leaf | Expression]:
-        if isinstance(at, Assign):
-            yield at.value
-        elif isinstance(at, Call):
+        if isinstance(at, Call):
             yield at
         elif isinstance(at, Number):
             yield to_int(at.value)

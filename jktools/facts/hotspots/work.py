@@ -18,8 +18,6 @@ from jktools.model import Level
 
 MOST_FLOODED = 128
 """Sectors of one FirstThingInView (sithAI_GetThingsInView)."""
-MOST_SEEN = 32
-"""Things that FirstThingInView keeps (sithCogFunctionAI_FirstThingInView)."""
 
 
 class Work(NamedTuple):

@@ -64,7 +64,10 @@ class ByteReader:
     def unknown(self, found: str) -> None:
         """Tell of something that no known file has."""
         self.lost = True
-        self.faults.tell(faults.UNKNOWN_ASSET_VERSION, self.source, f"{self.what} has {found}")
+        self.faults.tell(
+            faults.UNKNOWN_ASSET_VERSION, self.source, f"{self.what} has {found}",
+            "export it again with a tool for Jedi Knight; the engine reads it as one that it knows",
+        )  # fmt: skip
 
     def finish(self) -> tuple[Diagnostic, ...]:
         """What was told; bytes that are left are told too, unless it is known why."""

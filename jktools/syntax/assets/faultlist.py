@@ -50,7 +50,7 @@ class FaultList:
             self.found.append(
                 Diagnostic(
                     code, code.severity, Label(self.source),
-                    f"{MOST_FAULTS} faults are reported, but {self._untold} more were found",
+                    f"{MOST_FAULTS} faults are reported, but the file has {self._untold} more",
                     "mend the first ones; the rest often follow from them",
                 )
             )  # fmt: skip

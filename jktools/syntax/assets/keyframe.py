@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from jktools.diagnostics.wording import numbered
 from jktools.source import Source
 from jktools.syntax.assets import faults
 from jktools.syntax.assets import small_lines as records
@@ -120,7 +121,7 @@ class _Reader:
         if not 0 <= number < self.joints:
             self.lines.fault(
                 faults.ASSET_INDEX_OUT_OF_RANGE, line,
-                f"node {number} ({name}) is moved, but the animation has {self.joints} joints",
+                f"node {number} ({name}) is moved, but the animation has {numbered(self.joints, 'joint')}",
                 "write the number of the model's nodes behind JOINTS; the engine writes beyond its memory",
             )  # fmt: skip
 

@@ -9,6 +9,7 @@ import lark
 import numpy as np
 
 from jktools.diagnostics import Code, Severity, Subject
+from jktools.diagnostics.wording import counted
 from jktools.source import Source
 from jktools.syntax.assets import faults
 from jktools.syntax.assets.faultlist import FaultList
@@ -216,6 +217,7 @@ class LineReader:
         """Tell when a heading announces another number of records than follow."""
         if announced != found:
             self.fault(
-                faults.ASSET_COUNT_MISMATCH, line, f"the heading announces {announced} {kind}, but {found} follow",
+                faults.ASSET_COUNT_MISMATCH, line,
+                f"the heading announces {announced} {kind}, but {counted(found, 'follows', 'follow')}",
                 f"write {found}, or restore what is missing; {self.effect}",
             )  # fmt: skip

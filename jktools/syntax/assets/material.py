@@ -5,6 +5,7 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass
 
+from jktools.diagnostics.wording import numbered
 from jktools.source import Source
 from jktools.syntax.assets import faults
 from jktools.syntax.assets.asset import Asset
@@ -95,7 +96,7 @@ def read_material(source: Source) -> Material:
         if cel.texture is not None and cel.texture >= texture_count:
             data.faults.tell(
                 faults.ASSET_INDEX_OUT_OF_RANGE, source,
-                f"cel {index} shows texture {cel.texture}, but the material has {texture_count}",
+                f"cel {index} shows texture {cel.texture}, but the material has {numbered(texture_count, 'texture')}",
                 "export the material again; the engine reads beyond its textures",
             )  # fmt: skip
     if cel_count > MOST_CELS:

@@ -253,7 +253,7 @@ def read_ai_class(source: Source, game: str = "jk") -> AIClass:
         if len(instincts) == MOST_INSTINCTS + 1:
             fields.reader.fault(
                 faults.TOO_MANY_INSTINCTS, line,
-                f"instinct {MOST_INSTINCTS} ({words[0]}) is listed, but the engine keeps {MOST_INSTINCTS}",
+                f"{words[0]} is instinct {MOST_INSTINCTS + 1} of the list, but the engine keeps {MOST_INSTINCTS}",
                 "remove instincts; the engine passes over the rest",
             )  # fmt: skip
     if not parameters:
@@ -283,7 +283,7 @@ def read_items(source: Source, game: str = "jk") -> Items:
         cog = next((w.partition("=")[2] for w in more if w.lower().startswith("cog=")), None)
         if not 0 <= bin_ <= MOST_BIN:
             fields.reader.fault(
-                faults.ASSET_INDEX_OUT_OF_RANGE, line, f"item {name} has bin {bin_}, but there are 0 to {MOST_BIN}",
+                faults.ASSET_INDEX_OUT_OF_RANGE, line, f"item {name} has bin {bin_}, but the bins are 0 to {MOST_BIN}",
                 "choose a free bin; the engine has no room for it", Subject("item", len(items)),
             )  # fmt: skip
         items.append(Item(name, bin_, low, high, ints([flags], 16)[0][0], cog))

@@ -104,7 +104,7 @@ class _Reader:
         if version != "2.1":
             lines.fault(
                 faults.UNKNOWN_ASSET_VERSION, line, f"the version is {version}, but only 2.1 is known",
-                "the engine passes over the number",
+                "write 3DO 2.1; the engine reads every version as that",
             )  # fmt: skip
 
     def _material_list(self) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from jktools.diagnostics import Severity, Subject
+from jktools.diagnostics.wording import counted, numbered
 from jktools.syntax.arrays import Int32
 from jktools.syntax.assets import faults
 from jktools.syntax.assets.lines import LineReader
@@ -72,7 +73,8 @@ def _check_material(lines: LineReader, faces: Faces, title: str, materials: int)
     for face in np.flatnonzero(bad).tolist():
         lines.fault(
             faults.ASSET_INDEX_OUT_OF_RANGE, int(faces.lines[face]),
-            f"face {face} of {title} has material {faces.material[face]}, but the model lists {materials}",
+            f"face {face} of {title} has material {faces.material[face]}, but the model has "
+            f"{numbered(materials, 'material')}",
             "name a material of the list, or -1; the engine reads beyond it", Subject("face", face),
         )  # fmt: skip
 
@@ -95,16 +97,18 @@ def _check_nodes(lines: LineReader, model: Model) -> None:
         return
     meshes = min((len(geoset.meshes) for geoset in model.geosets), default=0)
     lost = not model.geosets and lines.faults.found  # told already: the meshes are there, and could not be read
-    for column, kind, count in (
-        *(() if lost else ((nodes.mesh, "mesh", meshes),)),
-        (nodes.parent, "parent", len(nodes)),
-        (nodes.child, "child", len(nodes)),
-        (nodes.sibling, "sibling", len(nodes)),
+    node_names = ("node", "nodes")
+    for column, kind, count, names in (
+        *(() if lost else ((nodes.mesh, "mesh", meshes, ("mesh", "meshes")),)),
+        (nodes.parent, "parent", len(nodes), node_names),
+        (nodes.child, "child", len(nodes), node_names),
+        (nodes.sibling, "sibling", len(nodes), node_names),
     ):
         for node in np.flatnonzero(~nodes.broken & ((column < NONE) | (column >= count))).tolist():
             lines.fault(
                 faults.ASSET_INDEX_OUT_OF_RANGE, int(nodes.lines[node]),
-                f"node {node} ({nodes.names[node]}) has {kind} {column[node]}, but there are {count}",
+                f"node {node} ({nodes.names[node]}) has {kind} {column[node]}, but the model has "
+                f"{numbered(count, *names)}",
                 "name one that exists, or -1; the engine reads beyond them", Subject("node", node),
             )  # fmt: skip
     _check_tree(lines, nodes)
@@ -121,8 +125,8 @@ def _check_tree(lines: LineReader, nodes: Nodes) -> None:
         if announced > found and not nodes.broken[node]:
             lines.fault(
                 faults.BROKEN_HIERARCHY, int(nodes.lines[node]),
-                f"node {node} ({nodes.names[node]}) announces {announced} children, but the chain of its children "
-                f"has {found}",
+                f"node {node} ({nodes.names[node]}) announces {counted(announced, 'child', 'children')}, but their "
+                f"chain has {found}",
                 "mend child, sibling and number of children; the engine follows the chain into nowhere",
                 Subject("node", node),
             )  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass
 
+from jktools.diagnostics.wording import counted
 from jktools.source import Source
 from jktools.syntax.assets import faults
 from jktools.syntax.assets.asset import Asset
@@ -94,8 +95,8 @@ def read_wave(source: Source) -> Wave:
         shown = "PCM" if encoding == PCM else _NAMES.get(encoding, f"of encoding {encoding}")
         data.faults.tell(
             faults.UNPLAYABLE_SOUND, source,
-            f"the sound is {shown} with {bits} bits and {channels} channels, but the engine plays PCM with 8 or 16 "
-            "bits and 1 or 2",
+            f"the sound is {shown} with {bits} bits and {counted(channels, 'channel')}, but the engine plays PCM with "
+            "8 or 16 bits and 1 or 2",
             "export it again as PCM, mono, 16 bits",
         )  # fmt: skip
     return Wave(

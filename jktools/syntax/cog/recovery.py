@@ -72,7 +72,8 @@ class Recovery:
         if len(self.faults) >= MOST_FAULTS or self._mended > MOST_MENDED:
             self._tell(
                 faults.TOO_MANY_COG_FAULTS, tokens[at].start, tokens[at].end,
-                f"{len(self.faults)} places are told, but there are more; the rest of the code was not read",
+                f"{len(self.faults)} places that the engine cannot read are told, but there are more; the rest is not "
+                "looked at",
                 "mend the first ones; the rest often follow from them",
             )  # fmt: skip
             return self._stop(stack, tokens, at)
@@ -286,7 +287,11 @@ class Recovery:
             )  # fmt: skip
         elif text in CLOSES and not self._is_open(stack, CLOSES[text]):
             self._tell(
-                faults.STRAY_BRACKET, token.start, token.end, f"{found} closes nothing that is open", "remove it"
+                faults.STRAY_BRACKET,
+                token.start,
+                token.end,
+                f"{found} closes a bracket here, but none is open",
+                "remove it",
             )
         elif before is not None and isinstance(before.value, Number) and before.end == token.start and (
             isinstance(token.value, Name)

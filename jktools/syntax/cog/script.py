@@ -102,10 +102,12 @@ def _empty(source: Source, scanned: Scan) -> Diagnostic:
 
 
 def _overlong(source: Source, start: int, end: int) -> Diagnostic:
+    what = {"#": "comment", "/": "comment", '"': "string", "'": "vector"}.get(source.text[start], "word")
     return Diagnostic(
         faults.OVERLONG_TOKEN, faults.OVERLONG_TOKEN.severity, Label(source.span(start, start + 1)),
-        f"{end - start} bytes belong together here, but the engine's scanner holds {LONGEST_TOKEN}",
-        "close the quote, or break the comment into lines",
+        f"the {what} goes on for {end - start} bytes, but the engine's scanner holds {LONGEST_TOKEN}",
+        ("break it into lines" if what == "comment" else "close the quote, or make it shorter")
+        + "; the game ends when it reads this",
     )  # fmt: skip
 
 

@@ -115,7 +115,7 @@ class Context:
                     faults.TOO_MANY_FAULTS,
                     faults.TOO_MANY_FAULTS.severity,
                     Label(self.source),
-                    f"{MOST_FAULTS} faults are reported, but {self._untold} more were found",
+                    f"{MOST_FAULTS} faults are reported, but the file has {self._untold} more",
                     "mend the first ones; the rest often follow from them",
                 )
             )

@@ -138,11 +138,11 @@ def test_values() -> None:
         ("ai", AI, "", ("JK030", "expected a line with parameters, but the file has none")),
         (
             "ai", "follow 0.5\n", "follow 0.5\n" * 16,
-            ("JK819", "instinct 16 (primaryfire) is listed, but the engine keeps 16"),
+            ("JK819", "primaryfire is instinct 17 of the list, but the engine keeps 16"),
         ),
         ("key", "FPS 15.0\n", "", ("JK030", 'expected the line "fps", but found "JOINTS 3"')),
         ("key", "ENTRIES 2", "ENTRIES 3", ("JK032", "the heading announces 3 entries, but 2 follow")),
-        ("key", "JOINTS 3", "JOINTS 2", ("JK033", "node 2 (k_head) is moved, but the animation has 2 joints")),
+        ("key", "JOINTS 3", "JOINTS 2", ("JK033", "node 2 (k_head) is moved, but the animation has the joints 0 to 1")),
         (
             "key", "MARKERS 1\n4.0 1", "MARKERS 9" + "\n4.0 1" * 9,
             ("JK820", "the animation has 9 markers, but the engine takes 8"),
@@ -153,7 +153,7 @@ def test_values() -> None:
             "par", "VERTICES 2", "VERTICES 257\n" + "0: 0 0 0 0\n" * 255 + "# ",
             ("JK818", "the cloud has 257 vertices, but the engine takes 256"),
         ),
-        ("dat", "fists 1", "fists 200", ("JK033", "item fists has bin 200, but there are 0 to 199")),
+        ("dat", "fists 1", "fists 200", ("JK033", "item fists has bin 200, but the bins are 0 to 199")),
         (
             "dat", "fists 1 0", "fists one 0",
             ("JK031", 'item 0: expected the bin, a whole number, but found "one"; the engine reads 0'),

@@ -190,13 +190,16 @@ def line_of(text: str, part: str) -> int:
             "1, 1 2, 2 3, 3", "1, 1 2, 4 3, 3",
             "JK033", "face 0 of mesh 0 (floor) names texture vertex 4, but the last is 3",
         ),
-        ("0: 0 0x0 4", "0: 2 0x0 4", "JK033", "face 0 of mesh 0 (floor) has material 2, but the model lists 2"),
+        (
+            "0: 0 0x0 4", "0: 2 0x0 4",
+            "JK033", "face 0 of mesh 0 (floor) has material 2, but the model has the materials 0 to 1",
+        ),
         ("2, 2 3, 3", "2, 2 3", "JK032", "face 0 announces 4 vertices, which take 8 numbers, but 7 follow"),
         ("3DO 2.1", "3DO 2.0", "JK036", "the version is 2.0, but only 2.1 is known"),
-        ("1: 0x0 0x1 1 0", "1: 0x0 0x1 2 0", "JK033", "node 1 (arm) has mesh 2, but there are 2"),
+        ("1: 0x0 0x1 1 0", "1: 0x0 0x1 2 0", "JK033", "node 1 (arm) has mesh 2, but the model has the meshes 0 to 1"),
         (
             "-1 1 -1 1 0 0 0 0 0 0 0 0 0 floor", "-1 1 -1 2 0 0 0 0 0 0 0 0 0 floor",
-            "JK037", "node 0 (floor) announces 2 children, but the chain of its children has 1",
+            "JK037", "node 0 (floor) announces 2 children, but their chain has 1",
         ),
         (
             "-1 1 -1 1 0 0 0 0 0 0 0 0 0 floor", "-1 1 -1 0 0 0 0 0 0 0 0 0 0 floor",

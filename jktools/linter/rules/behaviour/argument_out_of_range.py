@@ -60,7 +60,7 @@ def argument_out_of_range(script: Script, facts: ScriptFacts) -> Iterator[Findin
                 yield Finding(
                     facts.label(written),
                     f"{argument.name} of {site.verb.name} is {shown}, but can be {_shown(least, greatest)}",
-                    f"call {site.verb.signature}",
+                    f"give it such a value: {site.verb.signature}",
                 )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
+from jktools.diagnostics.wording import numbered
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
@@ -53,7 +54,7 @@ def cog_value_out_of_range(level: Level, facts: LevelFacts) -> Iterator[Finding]
                 exists, held = number in things, f"has no thing {number}"
             else:
                 count = counts[each.slot.type]
-                exists, held = 0 <= number < count, f"has {count} {each.slot.type}s"
+                exists, held = 0 <= number < count, f"has {numbered(count, each.slot.type)}"
             if not exists:
                 yield Finding(
                     Label(instance.value_span(each.position)),

@@ -33,7 +33,8 @@ def sight_over_budget(level: Level, facts: LevelFacts, options: Budget) -> Itera
     sectors. A script that asks for it in a pulse, on many things, slows the game down: a class COG runs once for each
     thing that carries it. The cost is counted, not timed: calls a second times the surfaces that the real segments
     pass, with one end at the middle of each sector that it can come to where it moves. A loop that is sure never to end
-    counts as over any budget; one that ends, but nobody knows after how many turns, is left out.
+    counts as over any budget; one that ends, but nobody knows after how many turns, is left out, and so is one that
+    sleeps only in a label that it calls, but for that of `startup`.
 
     ## Bad
         World templates 4

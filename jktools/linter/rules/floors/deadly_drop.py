@@ -77,6 +77,6 @@ def deadly_drop(level: Level, facts: LevelFacts) -> Iterator[Finding]:
                 Label(surface.head_span),
                 f"{surface.title} ends {drop} JKU above the floor below, but a fall of "
                 f"{least} JKU costs {ledges.walker.title} {FULL_HEALTH:g} points of health",
-                None,
+                "where it is not meant, make it lower, or flag the floor below against such damage (0x80)",
                 surface.subject,
             )

@@ -19,6 +19,9 @@ NEAR = 0.01
 EVEN = 1e-3
 """JKU: a ledge whose drop changes by more along its edge passes the limit somewhere anyway."""
 
+_DOES = {Kind.SEAMLESS: "stays on the floor", Kind.FALL: "falls"}
+_SOURCE = {Engine.RESEARCH: "the research document's rules", Engine.OPENJKDF2: "those of the decompiled engine"}
+
 
 @rule("JK703", "ledge-near-changeover", severity=Severity.INFO, since="0.2.0")
 def ledge_near_changeover(level: Level, facts: LevelFacts) -> Iterator[Finding]:
@@ -71,15 +74,16 @@ def ledge_near_changeover(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         near = np.any([np.abs(ledges.deepest - limit) <= NEAR * limit for limit in limits.values()], axis=0)
         for row in np.flatnonzero(taken & near).tolist():
             surface = level.surfaces[int(ledges.surface[row])]
-            verdicts = f"{Kind(ledges.kind[row]).name.lower()} by {ledges.engine}"
+            verdict = f"{_DOES[Kind(ledges.kind[row])]} by {_SOURCE[ledges.engine]}"
             if ledges.kind[row] != ledges.other[row]:
                 (other,) = set(Engine) - {ledges.engine}
-                verdicts += f", {Kind(ledges.other[row]).name.lower()} by {other}"
+                does = _DOES.get(Kind(ledges.other[row]), "does neither stay nor fall")
+                verdict += f", and {does} by {_SOURCE[other]}"
             drop, limit = told_apart(float(ledges.deepest[row]), limits[ledges.engine])
             yield Finding(
                 Label(surface.head_span),
                 f"the drop from {surface.title} to surface {ledges.below[row]} is {drop} JKU, but "
-                f"{ledges.walker.title} falls beyond {limit} JKU: {verdicts}",
+                f"{ledges.walker.title} falls beyond {limit} JKU: there it {verdict}",
                 "make the drop clearly lower or clearly higher",
                 surface.subject,
             )

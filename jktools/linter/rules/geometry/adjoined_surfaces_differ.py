@@ -21,7 +21,7 @@ class Tolerances(Options, frozen=True):
 
 @rule("JK310", "adjoined-surfaces-differ", severity=Severity.WARNING, since="0.1.0", options=Tolerances)
 def adjoined_surfaces_differ(level: Level, facts: LevelFacts, options: Tolerances) -> Iterator[Finding]:
-    """Report an adjoin whose surface has a corner more than 0.0001 JKU off the outline of its mirror's surface.
+    """Report two adjoined surfaces of which one has a corner more than 0.0001 JKU off the outline of the other.
 
     ## Why it matters
     Who goes through where the two do not overlap arrives outside the sector that the engine puts him in, and looks

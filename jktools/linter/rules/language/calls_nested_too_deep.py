@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import ScriptFacts
-from jktools.facts.cog.repeats import MOST_FRAMES
+from jktools.facts.cog.reach import MOST_FRAMES
 from jktools.linter.rule import Finding, rule
 from jktools.syntax.cog import Script
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import ScriptFacts
-from jktools.facts.cog.repeats import endless_parts
+from jktools.facts.cog.loops import endless_parts
 from jktools.linter.rule import Finding, rule
 from jktools.syntax.cog import Script
 

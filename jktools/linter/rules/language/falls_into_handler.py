@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import ScriptFacts
+from jktools.facts.cog.loops import ways
 from jktools.linter.rule import Finding, rule
 from jktools.syntax.cog import Script
 
@@ -47,8 +48,12 @@ def falls_into_handler(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
             return;
         end
     """
-    for label, source in facts.reach.falls:
+    for label, ends in facts.reach.falls:
         name = label.label.name
+        above = [end for end in ends if _goes_on(facts, end, facts.analysis.flow.label_block[name])]
+        if not above:
+            continue
+        source = facts.reach.label_of[above[-1]]
         handler = facts.program.handler_of.get(name)
         wanted = handler is not None and (
             handler.message.name.startswith("user") or name in facts.rates.arms.get(source, ())
@@ -59,3 +64,11 @@ def falls_into_handler(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
                 f'the code below "{source}" runs on into "{name}", which is a handler of its own',
                 'end the code above with "return;"',
             )
+
+
+def _goes_on(facts: ScriptFacts, end: int, below: int) -> bool:
+    """Whether the block at the end of some code leads to the one below it, as far as its condition tells."""
+    flow, known = facts.analysis.flow, facts.known
+    if end in known.visited:
+        return below in ways(flow.blocks[end], known)
+    return flow.label_block[facts.reach.label_of[end]] not in known.visited  # else what is above never comes here

@@ -48,7 +48,8 @@ def label_without_message(script: Script, facts: ScriptFacts) -> Iterator[Findin
     program = facts.program
     if not facts.is_whole:
         return
-    declared = {symbol.name.key for symbol, _ in program.declared_messages}
+    dropped = {symbol.name.key for symbol in script.header.dropped if symbol.type == "message"}  # JK512 and JK514
+    declared = {symbol.name.key for symbol, _ in program.declared_messages} | dropped
     live = frozenset(facts.reach.live)
     for name, label in program.labels.items():
         if name in declared or name not in facts.vocabulary.messages:

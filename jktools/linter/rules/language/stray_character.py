@@ -8,6 +8,7 @@ from jktools.diagnostics import Severity
 from jktools.facts import ScriptFacts
 from jktools.linter.rule import Finding, rule
 from jktools.syntax.cog import Script
+from jktools.syntax.cog.faults import OVERLONG_TOKEN
 
 
 @rule("JK519", "stray-character", severity=Severity.WARNING, since="0.1.0", looks_at=Script)
@@ -28,8 +29,9 @@ def stray_character(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
         x = y;
     """
 
+    told = {d.label.span for d in script.diagnostics if d.code == OVERLONG_TOKEN}  # quotes too far from the next one
     for stray in script.strays:
-        if stray.text < "\x80":
+        if stray.text < "\x80" and script.source.span(stray.start, stray.end) not in told:
             shown = stray.text if stray.text.isprintable() else f"\\x{ord(stray.text):02x}"
             quote = stray.text in "\"'"
             yield Finding(

@@ -21,8 +21,8 @@ def too_many_references(script: Script, facts: ScriptFacts) -> Iterator[Finding]
     """
 
     dropped = [s for s in script.header.dropped if s.type in TYPES and s.type != "message" and s.name.key]
-    if dropped:
-        kept = sum(s.type != "message" and not (s.local and s.type in NUMBER_TYPES) for s in script.header.symbols)
+    kept = sum(s.type != "message" and not (s.local and s.type in NUMBER_TYPES) for s in script.header.symbols)
+    if dropped and kept >= MOST_REFERENCES:  # else the table of symbols is full, which is JK514
         yield Finding(
             facts.label(dropped[0]),
             f"the script declares {kept + len(dropped)} symbols that a level can set, but the engine keeps "

@@ -8,7 +8,7 @@ from jktools.diagnostics import Label, Severity
 from jktools.facts import ScriptFacts
 from jktools.linter.rule import Finding, rule
 from jktools.syntax.cog import Script
-from jktools.syntax.cog.header import MOST_SYMBOLS
+from jktools.syntax.cog.header import MOST_SYMBOLS, TYPES
 
 
 @rule("JK514", "too-many-script-symbols", severity=Severity.ERROR, since="0.1.0", looks_at=Script)
@@ -20,7 +20,10 @@ def too_many_script_symbols(script: Script, facts: ScriptFacts) -> Iterator[Find
     name past the limit is read as a verb or a message.
     """
 
-    count = len(facts.program.slots)
+    slots = facts.program.slot_of
+    past = {s.name.key for s in script.header.dropped if s.type in TYPES and s.name.key and s.name.key not in slots}
+    full = len(script.header.symbols) >= MOST_SYMBOLS
+    count = len(facts.program.slots) + len(past) * full
     if count > MOST_SYMBOLS:
         words = sum(slot.type == "string" for slot in facts.program.slots)
         yield Finding(

@@ -23,7 +23,9 @@ def verb_of_other_game(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
 
     ## Why it matters
     Mysteries of the Sith, Droidworks and OpenJKDF2 added verbs. Where a game does not have one, the call does nothing
-    and its arguments stay on the stack. A file of a GOO pack is read as one of Mysteries of the Sith; `--game` chooses.
+    and its arguments stay on the stack. A verb that takes none, as jkSyncForcePowers at the end of many a script of
+    Jedi Knight, does no harm, and is a warning. A file of a GOO pack is read as one of Mysteries of the Sith; `--game`
+    chooses.
 
     ## Bad
         startup:
@@ -46,6 +48,9 @@ def verb_of_other_game(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
         yield Finding(
             facts.label(places[0]),
             f'"{name}" is a verb of {TITLES[verb.game]}, but this is a script of {TITLES[facts.vocabulary.game]}',
-            "use a verb of the game, or choose the other game with --game",
+            "use a verb of the game, or choose the other game with --game"
+            if verb.args
+            else "remove the call, which does nothing here, or choose the other game with --game",
             related=tuple(facts.label(place, f"{name} again") for place in places[1:]),
+            severity=None if verb.args or verb.returns != "void" else Severity.WARNING,
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
+from jktools.diagnostics.wording import counted
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level, Template, Thing
@@ -39,8 +40,9 @@ def too_few_cog_slots(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     first = carriers[heading.count - placed]
     yield Finding(
         Label(level.line_span(heading.line)),
-        f"the heading announces {heading.count} COGs, but the level places {placed} and {len(carriers)} templates and "
-        f"things have one; {first.title} is the first without",
+        f"the heading announces {counted(heading.count, 'COG')}, but the level places {placed}, and "
+        f"{counted(len(carriers), 'template or thing has', 'templates and things have')} one with cog=; "
+        f"{first.title} is the first without room",
         f"write {placed + len(carriers)} or more",
         first.subject,
         (Label(first.span, first.title),),

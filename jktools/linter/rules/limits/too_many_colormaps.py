@@ -33,6 +33,6 @@ def too_many_colormaps(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         yield Finding(
             Label(level.line_span(int(table.lines[most]))),
             f"the level has {len(table)} colormaps, but {most} is the most that works well",
-            "give sectors the colormaps that are left",
+            "take colormaps off the list, and give their sectors another",
             Subject("colormap", most, table.names[most]),
         )

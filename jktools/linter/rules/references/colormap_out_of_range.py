@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from jktools.diagnostics import Label, Severity
+from jktools.diagnostics.wording import numbered
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
@@ -36,8 +37,7 @@ def colormap_out_of_range(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         sector = level.sectors[index]
         yield Finding(
             Label(sector.line_span("colormap", 0)),
-            f"sector {index} has colormap {table.colormap[index]}, but the level has "
-            + (f"the colormaps 0 to {count - 1}" if count else "no colormaps"),
+            f"sector {index} has colormap {table.colormap[index]}, but the level has {numbered(count, 'colormap')}",
             "name a colormap of GEORESOURCE; the engine reads past its list",
             sector.subject,
         )

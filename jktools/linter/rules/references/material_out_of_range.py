@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from jktools.diagnostics import Label, Severity
+from jktools.diagnostics.wording import numbered
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
@@ -31,8 +32,7 @@ def material_out_of_range(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         surface = level.surfaces[index]
         yield Finding(
             Label(surface.field_span("material")),
-            f"{surface.title} has material {surface.material}, but the level has "
-            + (f"the materials 0 to {count - 1}" if count else "no materials"),
+            f"{surface.title} has material {surface.material}, but the level has {numbered(count, 'material')}",
             "name a material of the list, or -1 for none; the engine refuses the level",
             surface.subject,
         )

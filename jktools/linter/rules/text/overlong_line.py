@@ -9,8 +9,8 @@ def overlong_line() -> None:
     """Report a line that the engine reads in pieces.
 
     ## Why it matters
-    The engine fetches at most 1023 bytes of a line (2047 in Mysteries of the Sith) and takes the rest for a line of
-    its own.
+    The engine fetches at most 1023 bytes of a line, its end included (2047 in Mysteries of the Sith), and takes the
+    rest for a line of its own.
 
     ## Bad
         World templates 4

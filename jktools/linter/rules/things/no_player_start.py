@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
+from jktools.diagnostics.wording import counted
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
@@ -33,6 +34,8 @@ def no_player_start(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     things = level.document.sections.get("things")
     yield Finding(
         Label(level.source if things is None else level.line_span(things)),
-        f"the level has {len(level.things)} things, but none of type player",
+        f"the level has {counted(len(level.things), 'thing')}, but none of type player"
+        if len(level.things)
+        else "the level has no things, but needs one of type player",
         "place a walkplayer where the player starts",
     )

@@ -35,10 +35,12 @@ def start_without_floor(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         surface = None if found.surface is None else level.surfaces[found.surface]
         yield Finding(
             Label(thing.field_span("x")),
-            f"{thing.title} starts a player, but there is no surface below"
+            f"{thing.title} starts a player, but nothing below holds anybody up"
             if surface is None
             else f"{thing.title} starts a player, but {surface.title} below has no floor flag (0x1)",
-            "move the start" if surface is None else "flag the surface as floor, or move the start",
+            "move the start, or give the floor below its flags (0x5)"
+            if surface is None
+            else "flag the surface as floor, or move the start",
             thing.subject,
             () if surface is None else (Label(surface.head_span, f"surface {surface.index}"),),
         )

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from jktools.diagnostics import Label, Severity
+from jktools.diagnostics.wording import numbered
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
@@ -35,8 +36,7 @@ def thing_without_sector(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         thing = level.things[index]
         yield Finding(
             Label(thing.field_span("sector")),
-            f"{thing.title} names sector {thing.sector_index}, but the level has "
-            + (f"the sectors 0 to {count - 1}" if count else "no sectors"),
+            f"{thing.title} names sector {thing.sector_index}, but the level has {numbered(count, 'sector')}",
             "name the sector that the thing lies in; the engine skips the line",
             thing.subject,
         )

@@ -36,7 +36,8 @@ def type_takes_memory(level: Level, facts: LevelFacts) -> Iterator[Finding]:
         keys = ", ".join(dict.fromkeys(lost.key for lost in held.lost if lost.origin == first.origin))
         yield Finding(
             Label(first.origin.span),
-            f"{held.owner.title} changes to {first.origin.span.text}, but its parent's {keys} lie in the same memory",
+            f"{held.owner.title} changes to {first.origin.span.text}, but its parent's {keys} "
+            f"{'lies' if ',' not in keys else 'lie'} in the same memory",
             "give it another parent; the engine reads those values as others",
             held.owner.subject,
             (Label(first.setting.origins[0].span, f"{first.key} is set here"),),

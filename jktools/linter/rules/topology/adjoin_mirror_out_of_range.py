@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
+from jktools.diagnostics.wording import numbered
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
@@ -33,7 +34,7 @@ def adjoin_mirror_out_of_range(level: Level, facts: LevelFacts) -> Iterator[Find
             continue
         yield Finding(
             Label(adjoin.field_span("mirror")),
-            f"adjoin {adjoin.index} has mirror {adjoin.mirror}, but the level has the adjoins 0 to {count - 1}",
+            f"adjoin {adjoin.index} has mirror {adjoin.mirror}, but the level has {numbered(count, 'adjoin')}",
             "name the adjoin on the other side; the engine refuses the level",
             adjoin.subject,
         )

@@ -44,6 +44,6 @@ def no_geometry(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     if missing:
         yield Finding(
             Label(level.line_span(sections["georesource"])),
-            f"the level has no {' and no '.join(missing)}, but the engine needs at least one",
+            f"the level has no {' and no '.join(missing)}, but the engine needs at least one of each",
             "restore the geometry; the engine refuses the level",
         )

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from jktools.diagnostics import Label, Severity
+from jktools.diagnostics.wording import numbered
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level, Sector
@@ -52,7 +53,8 @@ def _vertices(level: Level, sector: Sector) -> Iterator[Finding]:
         if not 0 <= vertex < there:
             yield Finding(
                 Label(sector.vertex_span(place)),
-                f"sector {sector.index} lists vertex {vertex}, but the level has vertex 0 to {there - 1}",
+                f"sector {sector.index} lists vertex {vertex}, but the level has "
+                f"{numbered(there, 'vertex', 'vertices')}",
                 "name a vertex that exists; the engine reads past its list",
                 sector.subject,
             )

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from jktools.diagnostics import Label, Severity
+from jktools.diagnostics.wording import numbered
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
@@ -35,8 +36,7 @@ def surface_adjoin_out_of_range(level: Level, facts: LevelFacts) -> Iterator[Fin
         surface = level.surfaces[index]
         yield Finding(
             Label(surface.field_span("adjoin")),
-            f"{surface.title} has adjoin {surface.adjoin_index}, but the level has "
-            + (f"the adjoins 0 to {count - 1}" if count else "no adjoins"),
+            f"{surface.title} has adjoin {surface.adjoin_index}, but the level has {numbered(count, 'adjoin')}",
             "write -1 for a solid surface, or name its adjoin",
             surface.subject,
         )

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from jktools.diagnostics import Label, Severity
+from jktools.diagnostics.wording import numbered
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
@@ -43,7 +44,7 @@ def surface_vertex_out_of_range(level: Level, facts: LevelFacts) -> Iterator[Fin
             yield Finding(
                 Label(surface.corner_span(corner - int(table.corner_start[index]), texture)),
                 f"{surface.title} names {kind} {indices[corner]}, but the level has "
-                + (f"{kind} 0 to {count - 1}" if count else f"no {kind}"),
+                f"{numbered(count, kind, kind.replace('vertex', 'vertices'))}",
                 f"name a {kind} that exists; the engine reads past its list",
                 surface.subject,
             )

@@ -1,0 +1,67 @@
+"""`jktools report`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from jktools.cli.app import common, problem
+from jktools.cli.configured import configured, overridden
+from jktools.cli.progress import progress
+from jktools.cli.status import Status
+from jktools.compiler import CompileSettings
+from jktools.emit.printable import printable
+from jktools.engine.profile import Engine
+from jktools.geometry.mesh import Accuracy
+from jktools.linter import UnknownRuleError
+from jktools.session.reporting import report_all
+from jktools.session.settings import Game
+
+
+@click.command("report")
+@click.argument("paths", nargs=-1, required=True, metavar="PATH...")
+@click.option(
+    "-o", "--output", "out", type=click.Path(path_type=Path), required=True, metavar="OUT",
+    help="A folder, or an .html file when there is one level.",
+)  # fmt: skip
+@click.option(
+    "--engine", type=click.Choice([e.value for e in Engine]), default=Engine.RESEARCH.value, show_default=True,
+    help="Whose word counts: the research document's, or the decompiled engine's.",
+)  # fmt: skip
+@click.option(
+    "--accuracy", type=click.Choice(["fast", "balanced", "exact"]), default="balanced", show_default=True,
+    help="How true and how slow what is computed is.",
+)  # fmt: skip
+@common
+def command(
+    paths: tuple[str, ...],
+    out: Path,
+    engine: str,
+    accuracy: Accuracy,
+    game: Game | None,
+    base: tuple[str, ...],
+    config: str | None,
+    strict_grammar: bool,
+) -> int:
+    """Write a page of every level: seen from above and in space, with findings, ledges, basins and costs.
+
+    A page is one file that needs nothing else and asks the network for nothing. Of several levels each has its own page
+    in the folder OUT, and OUT/index.html leads to them. PATH may be a compiled level too; then there are no findings.
+
+    Exit status: 0 all written, 2 bad usage or a PATH that cannot be read, 3 a bug in jktools.
+    """
+    _, found = next(configured(paths, config))
+    settings = overridden(found.settings, game, base, strict_grammar)
+    try:
+        with progress("reporting") as report:
+            reported = report_all(paths, out, settings, CompileSettings(engine=engine, accuracy=accuracy), report)
+    except UnknownRuleError as error:
+        raise click.UsageError(str(error)) from error
+    for level, page in reported.written:
+        click.echo(printable(f"{level} -> {page}"))
+    if reported.index:
+        click.echo(printable(f"index -> {reported.index}"))
+    for message in reported.problems:
+        problem(message)
+    return Status.USAGE if reported.problems else Status.CLEAN
