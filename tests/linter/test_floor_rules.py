@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,7 @@ from fixtures.rooms import Level as Builder
 from jktools.engine.profile import Engine
 from jktools.facts import LevelFacts
 from jktools.facts.basins import Entry, Way
+from jktools.facts.ledges import Kind
 from jktools.linter import find_rule, lint
 from jktools.model import Level
 from tests.support.levels import level_of, two_rooms
@@ -123,3 +126,47 @@ def test_a_gap_that_no_body_fits_in_is_no_basin(engine: Engine, gap: float, basi
     builder.templates.append(PLAYER)
     facts = LevelFacts(level_of(builder.text()))
     assert len(facts.basins(facts.bodies[0], engine)) == basins
+
+
+WALKS = PLAYER + " maxthrust=2 surfdrag=3"
+
+
+@pytest.mark.parametrize(("off", "told"), [(-1e-3, 0), (1e-3, 1)])
+def test_what_is_higher_than_the_lip_that_is_climbed_needs_a_jump(off: float, told: int) -> None:
+    """Two floors in one hall, one higher than the other by as much as the simulated body climbs, and a little."""
+
+    def hall(rise: float) -> Level:
+        builder = Builder("step")
+        builder.room((0, 0, 0), (2, 2, 4))
+        builder.room((0, 2, rise), (2, 4, 4))
+        builder.window(0, 1, (0, 2, rise), (2, 2, 4))
+        builder.templates.append(WALKS)
+        return level_of(builder.text())
+
+    (walker,) = [each for each in LevelFacts(hall(1)).bodies if each.body.maxthrust]
+    lip = walker.lip(Engine.RESEARCH)
+    assert walker.clearance(Engine.RESEARCH) < lip + off < walker.hover(Engine.RESEARCH)
+    found = lint(hall(round(lip + off, 6)), [find_rule("JK704")])
+    assert len(found) == told
+    assert all(f"walkplayer surely walks up no more than {lip:.4g} JKU" in each.message for each in found)
+
+
+@pytest.mark.parametrize(("gravity", "basins"), [("4", 1), ("0", 0), ("-1", 0)])
+def test_no_basin_holds_what_floats(gravity: str, basins: int) -> None:
+    facts = LevelFacts(level_of(two_rooms(*PIT).replace("World Gravity 4", f"World Gravity {gravity}")))
+    (walker,) = facts.bodies
+    assert walker.gravity == float(gravity)
+    assert len(facts.basins(walker)) == basins
+    assert len(lint(facts.level, [find_rule("JK701")])) == basins
+    kinds = {Kind(kind) for kind in facts.ledges(walker).kind.tolist()}
+    assert (kinds <= {Kind.LEVEL, Kind.SEAMLESS, Kind.STEP, Kind.LIP, Kind.UNKNOWN}) is (basins == 0)
+
+
+@pytest.mark.parametrize(("gravity", "airdrag", "apex"), [
+    (-1.0, 0.5, np.inf), (0.0, 0.0, np.inf), (0.0, 0.5, 1.5 / 0.5), (1e-9, 0.5, 1.5 / 0.5), (4.0, 0.0, 1.5**2 / 8),
+])  # fmt: skip
+def test_how_high_a_jump_goes_where_little_takes_it_down(gravity: float, airdrag: float, apex: float) -> None:
+    (walker,) = LevelFacts(pit()).bodies
+    body = replace(walker.body, airdrag=airdrag)
+    assert replace(walker, gravity=gravity, body=body).apex() == pytest.approx(apex, rel=1e-6)
+    assert replace(walker, gravity=gravity, body=replace(body, jumpspeed=0.0)).apex() == 0
