@@ -169,7 +169,7 @@ class LevelFacts:
 
     def basins(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> tuple[Basin, ...]:
         """Where a body whose hover height is known comes down to, and what leads out."""
-        return basins_of(self.level, self.ledges(walker, engine, accuracy), self.touched)
+        return basins_of(self.level, self.mesh, self.ledges(walker, engine, accuracy), self.touched)
 
     @cached_property
     def overlaps(self) -> Overlaps:

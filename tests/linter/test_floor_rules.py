@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -170,3 +171,52 @@ def test_how_high_a_jump_goes_where_little_takes_it_down(gravity: float, airdrag
     body = replace(walker.body, airdrag=airdrag)
     assert replace(walker, gravity=gravity, body=body).apex() == pytest.approx(apex, rel=1e-6)
     assert replace(walker, gravity=gravity, body=replace(body, jumpspeed=0.0)).apex() == 0
+
+
+def trench(*sections: tuple[float, float, float], high: float = 4) -> Level:
+    """Rooms side by side along y, each 4 JKU wide from y to y with its floor at z, open to each other above both."""
+    builder = Builder("trench")
+    for start, end, z in sections:
+        builder.room((0, start, z), (4, end, high))
+    for index, ((_, end, z), (_, _, after)) in enumerate(pairwise(sections)):
+        builder.window(index, index + 1, (0, end, max(z, after)), (4, end, high))
+    builder.templates.append(WALKS)
+    return level_of(builder.text())
+
+
+def basins(level: Level) -> list[tuple[tuple[int, ...], Way]]:
+    facts = LevelFacts(level)
+    z = {i: float(level.surfaces[i].positions[0, 2]) for i in range(len(level.surfaces))}
+    return [(tuple(round(z[i], 3) for i in b.surfaces), b.left) for b in facts.basins(facts.bodies[0])]  # type: ignore[misc]
+
+
+def test_a_slot_that_no_body_fits_in_hides_no_basin() -> None:
+    """The player is 0.13 JKU wide; the slot cuts the pit's floor in two, which are one basin still."""
+    assert basins(trench((0, 2, 0), (2, 3, -1), (3, 3.1, -3), (3.1, 4, -1))) == [((-1, -1), Way(0))]
+    # Beyond the slot lies what lets out: a step, from which a way leads down, and a lip.
+    for rise, way in ((0.05, []), (0.07, [((-1.0,), Way.WALK)])):
+        found = basins(trench((0, 2, 0), (2, 3, -1), (3, 3.1, -3), (3.1, 4, -1 + rise), (4, 5, -2)))
+        assert [each for each in found if each[0][0] != -2] == way
+    # A body fits into a wider one, and is caught there.
+    assert basins(trench((0, 2, 0), (2, 3, -1), (3, 3.2, -2), (3.2, 4, -1))) == [((-2.0,), Way(0))]
+
+
+@pytest.mark.parametrize(("length", "told"), [(1.9, 1), (2.1, 0)])
+def test_what_holds_most_of_the_floor_is_where_the_level_goes_on(length: float, told: int) -> None:
+    level = trench((0, 2, 0), (2, 2 + length, -1))
+    facts = LevelFacts(level)
+    (basin,) = facts.basins(facts.bodies[0])
+    assert basin.share == pytest.approx(length / (2 + length))
+    assert basin.is_inescapable
+    assert len(lint(level, [find_rule("JK701")])) == told
+
+
+def test_a_slot_without_a_floor_hides_no_basin_either() -> None:
+    builder = Builder("slot")
+    for start, end, z, flags in ((0.0, 2.0, 0, 5), (2.0, 3.0, -1, 5), (3.0, 3.1, -3, 4), (3.1, 4.0, -1, 5)):
+        builder.room((0, start, z), (4, end, 4), floor_flags=flags)
+    builder.window(0, 1, (0, 2, 0), (4, 2, 4))
+    builder.window(1, 2, (0, 3, -1), (4, 3, 4))
+    builder.window(2, 3, (0, 3.1, -1), (4, 3.1, 4))
+    builder.templates.append(WALKS)
+    assert basins(level_of(builder.text())) == [((-1, -1), Way(0))]

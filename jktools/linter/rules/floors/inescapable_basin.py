@@ -11,6 +11,9 @@ from jktools.linter.figures import told_apart
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
+REST = 0.5
+"""Of all floors: what holds more of them is where the level goes on, not a hole in it."""
+
 
 @rule("JK701", "inescapable-basin", severity=Severity.WARNING, since="0.2.0")
 def inescapable_basin(level: Level, facts: LevelFacts) -> Iterator[Finding]:
@@ -19,7 +22,8 @@ def inescapable_basin(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     ## Why it matters
     A player who slips in has to load a saved game. Looked at are the player's own jump from the edge of each floor,
     things that can be stood on, sectors that lift, and all that a placed script names; where any of them may help,
-    nothing is reported, nor where the fall in kills. Powers that jump higher are not counted.
+    nothing is reported, nor where the fall in kills. Powers that jump higher are not counted. A part that holds more
+    than half of the level's floor is where the level goes on, and is left out.
 
     ## Bad
         World vertices 14
@@ -60,7 +64,7 @@ def inescapable_basin(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     for ledges in facts.player_ledges:
         jump = ledges.walker.jump(ledges.engine)
         for basin in facts.basins(ledges.walker, ledges.engine):
-            if not basin.is_inescapable:
+            if not basin.is_inescapable or basin.share > REST:
                 continue
             first = level.surfaces[basin.surfaces[0]]
             more = f" and {len(basin.surfaces) - 1} more floors" if len(basin.surfaces) > 1 else ""
