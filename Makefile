@@ -1,4 +1,4 @@
-# make demo    set up, then lint and compile the fixture level
+# make demo    set up, then lint, compile and draw the fixture level
 # make test    set up, then every check and test
 # make bench   set up, then the benchmarks
 # make fuzz    the long random tests, and a million queries each of sight and drop at two tiers

@@ -1,8 +1,8 @@
 """What the C++ runtime costs over the corpus: `python -m benchmarks.bench_runtime`.
 
 For each level: opening a compiled file, checking it and answering one query, in a fresh process (with the file's pages
-dropped from the page cache, and with them there) and again and again in one; then sight, a thread each, against
-Python's native batch, by seconds of processor. Medians over the levels, and the worst.
+dropped from the page cache, and with them there) and again and again in one; making a locator; then sight, a thread
+each, against Python's native batch, by seconds of processor. Medians over the levels, and the worst.
 """
 
 from __future__ import annotations
@@ -25,11 +25,14 @@ from tests.runtime.compiler import built
 TRIES = 9
 """Fresh processes a level."""
 
-TIMES = re.compile(r"first (\S+) ms to open, (\S+) ms to the first answer; median of \d+ (\S+) ms and (\S+) ms")
+TIMES = re.compile(
+    r"first (\S+) ms to open, (\S+) ms to the first answer; median of \d+ (\S+) ms and (\S+) ms; "
+    r"(\S+) ms for a locator of (\d+) sectors, (\d+) surfaces"
+)
 
 
 def times(program: Path, path: Path, *, cold: bool) -> tuple[float, ...]:
-    """Milliseconds of one process: opened and answered at first, and their medians in it."""
+    """Milliseconds of one process: opened and answered at first, their medians, and a locator's; sectors, surfaces."""
     if cold:
         handle = os.open(path, os.O_RDONLY)
         os.fdatasync(handle)
@@ -50,8 +53,9 @@ def main() -> None:
     rng = np.random.default_rng(1997)
     kinds = {**SETS, "edges": through_edges}
     taken: dict[str, list[float]] = {
-        name: [] for name in ("fresh, not in the cache", "fresh", "again: open", "again: first answer")
+        name: [] for name in ("fresh, not in the cache", "fresh", "again: open", "again: first answer", "a locator")
     }
+    shares: list[float] = []
     runtime, python = dict.fromkeys(kinds, 0.0), dict.fromkeys(kinds, 0.0)
     count = 0
     with tempfile.TemporaryDirectory(dir=".") as folder:  # on a disk: a file system in memory has no page cache
@@ -67,6 +71,14 @@ def main() -> None:
             taken["fresh"].append(float(np.median(runs[False][:, 1])))
             taken["again: open"].append(float(np.median(runs[False][:, 2])))
             taken["again: first answer"].append(float(np.median(runs[False][:, 3])))
+            locator, sectors, surfaces = np.median(runs[False][:, 4:], axis=0).tolist()
+            taken["a locator"].append(locator)
+            shares.append(1e6 * locator / surfaces)
+            print(
+                f"{name[-40:]:<40} {taken['fresh'][-1]:8.3f} ms to the first answer, "
+                f"{locator:6.3f} ms for a locator of {sectors:5.0f} sectors, {surfaces:5.0f} surfaces",
+                flush=True,
+            )
             compiled = CompiledLevel(path.read_bytes())
             _ = compiled.mesh
             for kind, make in kinds.items():
@@ -78,6 +90,7 @@ def main() -> None:
     print(f"{'ms, open to first answer':<26} {'median':>8} {'worst':>8}")
     for kind, values in taken.items():
         print(f"{kind:<26} {np.median(values):8.3f} {max(values):8.3f}")
+    print(f"a locator takes {np.median(shares):.0f} ns a surface, {min(shares):.0f} to {max(shares):.0f}")
     print(f"{'sight, queries/s a thread':<26} {'runtime':>10} {'python':>10} {'ratio':>6}")
     for kind in kinds:
         mine, theirs = count * options.queries / runtime[kind], count * options.queries / python[kind]

@@ -407,7 +407,9 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_ACCURACY = 8,
     VT_CUT_ANYWAY = 10,
     VT_ONLY = 12,
-    VT_SKIP = 14
+    VT_SKIP = 14,
+    VT_PLAIN = 16,
+    VT_VERTEX_STEP = 18
   };
   /// `jk` or `mots` (Mysteries of the Sith), whose reading of the source applied.
   const ::flatbuffers::String *game() const {
@@ -433,6 +435,14 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *skip() const {
     return GetPointer<const ::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>> *>(VT_SKIP);
   }
+  /// Whether every column is its plain vector, every text UTF-8 and no template rests on another. Since 1.3.
+  bool plain() const {
+    return GetField<uint8_t>(VT_PLAIN, 0) != 0;
+  }
+  /// Step of the grid that all vertices are on, JKU; 0 where they are as read. Since 1.3.
+  float vertex_step() const {
+    return GetField<float>(VT_VERTEX_STEP, 0.0f);
+  }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
     return VerifyTableStart(verifier) &&
@@ -449,6 +459,8 @@ struct Settings FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            VerifyOffset(verifier, VT_SKIP) &&
            verifier.VerifyVector(skip()) &&
            verifier.VerifyVectorOfStrings(skip()) &&
+           VerifyField<uint8_t>(verifier, VT_PLAIN, 1) &&
+           VerifyField<float>(verifier, VT_VERTEX_STEP, 4) &&
            verifier.EndTable();
   }
 };
@@ -475,6 +487,12 @@ struct SettingsBuilder {
   void add_skip(::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> skip) {
     fbb_.AddOffset(Settings::VT_SKIP, skip);
   }
+  void add_plain(bool plain) {
+    fbb_.AddElement<uint8_t>(Settings::VT_PLAIN, static_cast<uint8_t>(plain), 0);
+  }
+  void add_vertex_step(float vertex_step) {
+    fbb_.AddElement<float>(Settings::VT_VERTEX_STEP, vertex_step, 0.0f);
+  }
   explicit SettingsBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -496,13 +514,17 @@ inline ::flatbuffers::Offset<Settings> CreateSettings(
     ::flatbuffers::Offset<::flatbuffers::String> accuracy = 0,
     bool cut_anyway = false,
     ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> only = 0,
-    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> skip = 0) {
+    ::flatbuffers::Offset<::flatbuffers::Vector<::flatbuffers::Offset<::flatbuffers::String>>> skip = 0,
+    bool plain = false,
+    float vertex_step = 0.0f) {
   SettingsBuilder builder_(_fbb);
+  builder_.add_vertex_step(vertex_step);
   builder_.add_skip(skip);
   builder_.add_only(only);
   builder_.add_accuracy(accuracy);
   builder_.add_engine(engine);
   builder_.add_game(game);
+  builder_.add_plain(plain);
   builder_.add_cut_anyway(cut_anyway);
   return builder_.Finish();
 }
@@ -514,7 +536,9 @@ inline ::flatbuffers::Offset<Settings> CreateSettingsDirect(
     const char *accuracy = nullptr,
     bool cut_anyway = false,
     const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *only = nullptr,
-    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *skip = nullptr) {
+    const std::vector<::flatbuffers::Offset<::flatbuffers::String>> *skip = nullptr,
+    bool plain = false,
+    float vertex_step = 0.0f) {
   auto game__ = game ? _fbb.CreateString(game) : 0;
   auto engine__ = engine ? _fbb.CreateString(engine) : 0;
   auto accuracy__ = accuracy ? _fbb.CreateString(accuracy) : 0;
@@ -527,7 +551,9 @@ inline ::flatbuffers::Offset<Settings> CreateSettingsDirect(
       accuracy__,
       cut_anyway,
       only__,
-      skip__);
+      skip__,
+      plain,
+      vertex_step);
 }
 
 /// Whether a pass ran, or why the scene did not need it.
@@ -551,7 +577,7 @@ struct Pass FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::String *note() const {
     return GetPointer<const ::flatbuffers::String *>(VT_NOTE);
   }
-  /// Whether it did not run to its end, by a fault of jktools; its section is then absent. Since 1.2.
+  /// Whether it did not run to its end, by a fault of jktools; its section is then absent. Since 1.3.
   bool failed() const {
     return GetField<uint8_t>(VT_FAILED, 0) != 0;
   }
@@ -2274,7 +2300,19 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_LIST_NUMBER_PACKED = 80,
     VT_UNUSED_START_PACKED = 82,
     VT_UNUSED_KEY_PACKED = 84,
-    VT_UNUSED_VALUE_PACKED = 86
+    VT_UNUSED_VALUE_PACKED = 86,
+    VT_BASE = 88,
+    VT_OWN_START = 90,
+    VT_OWN_KEY = 92,
+    VT_OWN_TEXT = 94,
+    VT_OWN_SETTER = 96,
+    VT_OWN_LIST = 98,
+    VT_BASE_PACKED = 100,
+    VT_OWN_START_PACKED = 102,
+    VT_OWN_KEY_PACKED = 104,
+    VT_OWN_TEXT_PACKED = 106,
+    VT_OWN_SETTER_PACKED = 108,
+    VT_OWN_LIST_PACKED = 110
   };
   /// Position of the record in its section.
   const ::flatbuffers::Vector<int32_t> *source() const {
@@ -2313,19 +2351,19 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<int32_t> *has_ai() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_HAS_AI);
   }
-  /// Cuts the values; what a template does not name is 0 or nothing.
+  /// Cuts the values; what a template does not name is 0 or nothing. Up to 1.2.
   const ::flatbuffers::Vector<uint32_t> *value_start() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VALUE_START);
   }
-  /// The parameter, as `size`.
+  /// The parameter, as `size`. Up to 1.2.
   const ::flatbuffers::Vector<uint32_t> *value_key() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VALUE_KEY);
   }
-  /// A name, several parted by a blank for debris; none for what `number` holds, and for no name.
+  /// A name, several parted by a blank for debris; none for what `number` holds, and for no name. Up to 1.2.
   const ::flatbuffers::Vector<int32_t> *value_text() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_VALUE_TEXT);
   }
-  /// The template whose line set it, by its position in the section; -1 for one of the game's static.jkl.
+  /// The template whose line set it, by its position in the section; -1 for one of the game's static.jkl. Up to 1.2.
   const ::flatbuffers::Vector<int32_t> *value_source() const {
     return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_VALUE_SOURCE);
   }
@@ -2397,7 +2435,7 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Packed *number_packed() const {
     return GetPointer<const jktools::Packed *>(VT_NUMBER_PACKED);
   }
-  /// Which of the lists below holds the numbers of a value.
+  /// Which of the lists below holds the numbers of a value. Only 1.2.
   const ::flatbuffers::Vector<uint32_t> *value_list() const {
     return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_VALUE_LIST);
   }
@@ -2446,6 +2484,55 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   /// `unused_value`, packed.
   const jktools::Packed *unused_value_packed() const {
     return GetPointer<const jktools::Packed *>(VT_UNUSED_VALUE_PACKED);
+  }
+  /// The row of the template on which it rests, which comes before it; -1 for none. Most rest on their parents.
+  const ::flatbuffers::Vector<int32_t> *base() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_BASE);
+  }
+  /// Cuts the own values; a parameter that neither a template nor one that it rests on names is 0 or nothing.
+  const ::flatbuffers::Vector<uint32_t> *own_start() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_OWN_START);
+  }
+  /// The parameter, as `size`; those of one template ascend and differ.
+  const ::flatbuffers::Vector<uint32_t> *own_key() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_OWN_KEY);
+  }
+  /// A name, several parted by a blank for debris; none for what `own_list` holds, and for no name.
+  const ::flatbuffers::Vector<int32_t> *own_text() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_OWN_TEXT);
+  }
+  /// Whose line set it: 0 for the template's own, -1 for one of the game's static.jkl, else 1 more than the position
+  /// of a template in the section.
+  const ::flatbuffers::Vector<int32_t> *own_setter() const {
+    return GetPointer<const ::flatbuffers::Vector<int32_t> *>(VT_OWN_SETTER);
+  }
+  /// Which list of `list_number` holds its numbers.
+  const ::flatbuffers::Vector<uint32_t> *own_list() const {
+    return GetPointer<const ::flatbuffers::Vector<uint32_t> *>(VT_OWN_LIST);
+  }
+  /// `base`, packed.
+  const jktools::Packed *base_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_BASE_PACKED);
+  }
+  /// `own_start`, packed.
+  const jktools::Packed *own_start_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_OWN_START_PACKED);
+  }
+  /// `own_key`, packed.
+  const jktools::Packed *own_key_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_OWN_KEY_PACKED);
+  }
+  /// `own_text`, packed.
+  const jktools::Packed *own_text_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_OWN_TEXT_PACKED);
+  }
+  /// `own_setter`, packed.
+  const jktools::Packed *own_setter_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_OWN_SETTER_PACKED);
+  }
+  /// `own_list`, packed.
+  const jktools::Packed *own_list_packed() const {
+    return GetPointer<const jktools::Packed *>(VT_OWN_LIST_PACKED);
   }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
@@ -2534,6 +2621,30 @@ struct Templates FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyTable(unused_key_packed()) &&
            VerifyOffset(verifier, VT_UNUSED_VALUE_PACKED) &&
            verifier.VerifyTable(unused_value_packed()) &&
+           VerifyOffset(verifier, VT_BASE) &&
+           verifier.VerifyVector(base()) &&
+           VerifyOffset(verifier, VT_OWN_START) &&
+           verifier.VerifyVector(own_start()) &&
+           VerifyOffset(verifier, VT_OWN_KEY) &&
+           verifier.VerifyVector(own_key()) &&
+           VerifyOffset(verifier, VT_OWN_TEXT) &&
+           verifier.VerifyVector(own_text()) &&
+           VerifyOffset(verifier, VT_OWN_SETTER) &&
+           verifier.VerifyVector(own_setter()) &&
+           VerifyOffset(verifier, VT_OWN_LIST) &&
+           verifier.VerifyVector(own_list()) &&
+           VerifyOffset(verifier, VT_BASE_PACKED) &&
+           verifier.VerifyTable(base_packed()) &&
+           VerifyOffset(verifier, VT_OWN_START_PACKED) &&
+           verifier.VerifyTable(own_start_packed()) &&
+           VerifyOffset(verifier, VT_OWN_KEY_PACKED) &&
+           verifier.VerifyTable(own_key_packed()) &&
+           VerifyOffset(verifier, VT_OWN_TEXT_PACKED) &&
+           verifier.VerifyTable(own_text_packed()) &&
+           VerifyOffset(verifier, VT_OWN_SETTER_PACKED) &&
+           verifier.VerifyTable(own_setter_packed()) &&
+           VerifyOffset(verifier, VT_OWN_LIST_PACKED) &&
+           verifier.VerifyTable(own_list_packed()) &&
            verifier.EndTable();
   }
 };
@@ -2668,6 +2779,42 @@ struct TemplatesBuilder {
   void add_unused_value_packed(::flatbuffers::Offset<jktools::Packed> unused_value_packed) {
     fbb_.AddOffset(Templates::VT_UNUSED_VALUE_PACKED, unused_value_packed);
   }
+  void add_base(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> base) {
+    fbb_.AddOffset(Templates::VT_BASE, base);
+  }
+  void add_own_start(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> own_start) {
+    fbb_.AddOffset(Templates::VT_OWN_START, own_start);
+  }
+  void add_own_key(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> own_key) {
+    fbb_.AddOffset(Templates::VT_OWN_KEY, own_key);
+  }
+  void add_own_text(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> own_text) {
+    fbb_.AddOffset(Templates::VT_OWN_TEXT, own_text);
+  }
+  void add_own_setter(::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> own_setter) {
+    fbb_.AddOffset(Templates::VT_OWN_SETTER, own_setter);
+  }
+  void add_own_list(::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> own_list) {
+    fbb_.AddOffset(Templates::VT_OWN_LIST, own_list);
+  }
+  void add_base_packed(::flatbuffers::Offset<jktools::Packed> base_packed) {
+    fbb_.AddOffset(Templates::VT_BASE_PACKED, base_packed);
+  }
+  void add_own_start_packed(::flatbuffers::Offset<jktools::Packed> own_start_packed) {
+    fbb_.AddOffset(Templates::VT_OWN_START_PACKED, own_start_packed);
+  }
+  void add_own_key_packed(::flatbuffers::Offset<jktools::Packed> own_key_packed) {
+    fbb_.AddOffset(Templates::VT_OWN_KEY_PACKED, own_key_packed);
+  }
+  void add_own_text_packed(::flatbuffers::Offset<jktools::Packed> own_text_packed) {
+    fbb_.AddOffset(Templates::VT_OWN_TEXT_PACKED, own_text_packed);
+  }
+  void add_own_setter_packed(::flatbuffers::Offset<jktools::Packed> own_setter_packed) {
+    fbb_.AddOffset(Templates::VT_OWN_SETTER_PACKED, own_setter_packed);
+  }
+  void add_own_list_packed(::flatbuffers::Offset<jktools::Packed> own_list_packed) {
+    fbb_.AddOffset(Templates::VT_OWN_LIST_PACKED, own_list_packed);
+  }
   explicit TemplatesBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -2722,8 +2869,32 @@ inline ::flatbuffers::Offset<Templates> CreateTemplates(
     ::flatbuffers::Offset<jktools::Packed> list_number_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> unused_start_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> unused_key_packed = 0,
-    ::flatbuffers::Offset<jktools::Packed> unused_value_packed = 0) {
+    ::flatbuffers::Offset<jktools::Packed> unused_value_packed = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> base = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> own_start = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> own_key = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> own_text = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<int32_t>> own_setter = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> own_list = 0,
+    ::flatbuffers::Offset<jktools::Packed> base_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> own_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> own_key_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> own_text_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> own_setter_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> own_list_packed = 0) {
   TemplatesBuilder builder_(_fbb);
+  builder_.add_own_list_packed(own_list_packed);
+  builder_.add_own_setter_packed(own_setter_packed);
+  builder_.add_own_text_packed(own_text_packed);
+  builder_.add_own_key_packed(own_key_packed);
+  builder_.add_own_start_packed(own_start_packed);
+  builder_.add_base_packed(base_packed);
+  builder_.add_own_list(own_list);
+  builder_.add_own_setter(own_setter);
+  builder_.add_own_text(own_text);
+  builder_.add_own_key(own_key);
+  builder_.add_own_start(own_start);
+  builder_.add_base(base);
   builder_.add_unused_value_packed(unused_value_packed);
   builder_.add_unused_key_packed(unused_key_packed);
   builder_.add_unused_start_packed(unused_start_packed);
@@ -2812,7 +2983,19 @@ inline ::flatbuffers::Offset<Templates> CreateTemplatesDirect(
     ::flatbuffers::Offset<jktools::Packed> list_number_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> unused_start_packed = 0,
     ::flatbuffers::Offset<jktools::Packed> unused_key_packed = 0,
-    ::flatbuffers::Offset<jktools::Packed> unused_value_packed = 0) {
+    ::flatbuffers::Offset<jktools::Packed> unused_value_packed = 0,
+    const std::vector<int32_t> *base = nullptr,
+    const std::vector<uint32_t> *own_start = nullptr,
+    const std::vector<uint32_t> *own_key = nullptr,
+    const std::vector<int32_t> *own_text = nullptr,
+    const std::vector<int32_t> *own_setter = nullptr,
+    const std::vector<uint32_t> *own_list = nullptr,
+    ::flatbuffers::Offset<jktools::Packed> base_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> own_start_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> own_key_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> own_text_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> own_setter_packed = 0,
+    ::flatbuffers::Offset<jktools::Packed> own_list_packed = 0) {
   auto source__ = source ? _fbb.CreateVector<int32_t>(*source) : 0;
   auto name__ = name ? _fbb.CreateVector<uint32_t>(*name) : 0;
   auto parent__ = parent ? _fbb.CreateVector<uint32_t>(*parent) : 0;
@@ -2834,6 +3017,12 @@ inline ::flatbuffers::Offset<Templates> CreateTemplatesDirect(
   auto unused_start__ = unused_start ? _fbb.CreateVector<uint32_t>(*unused_start) : 0;
   auto unused_key__ = unused_key ? _fbb.CreateVector<uint32_t>(*unused_key) : 0;
   auto unused_value__ = unused_value ? _fbb.CreateVector<uint32_t>(*unused_value) : 0;
+  auto base__ = base ? _fbb.CreateVector<int32_t>(*base) : 0;
+  auto own_start__ = own_start ? _fbb.CreateVector<uint32_t>(*own_start) : 0;
+  auto own_key__ = own_key ? _fbb.CreateVector<uint32_t>(*own_key) : 0;
+  auto own_text__ = own_text ? _fbb.CreateVector<int32_t>(*own_text) : 0;
+  auto own_setter__ = own_setter ? _fbb.CreateVector<int32_t>(*own_setter) : 0;
+  auto own_list__ = own_list ? _fbb.CreateVector<uint32_t>(*own_list) : 0;
   return jktools::CreateTemplates(
       _fbb,
       source__,
@@ -2877,7 +3066,19 @@ inline ::flatbuffers::Offset<Templates> CreateTemplatesDirect(
       list_number_packed,
       unused_start_packed,
       unused_key_packed,
-      unused_value_packed);
+      unused_value_packed,
+      base__,
+      own_start__,
+      own_key__,
+      own_text__,
+      own_setter__,
+      own_list__,
+      base_packed,
+      own_start_packed,
+      own_key_packed,
+      own_text_packed,
+      own_setter_packed,
+      own_list_packed);
 }
 
 /// Things as placed.
@@ -5434,7 +5635,9 @@ inline ::flatbuffers::Offset<Motion> CreateMotionDirect(
       run_jump_reach_packed);
 }
 
-/// What walking bodies meet beyond the edges of floors. An edge that is not listed is level: the floor goes on.
+/// What walking bodies meet beyond the edges of floors. An edge of a surface, or a part of one, that is not listed is
+/// level: the floor goes on. Of a thing's edge what is not listed is the thing itself: its own faces go on, level, a step
+/// up or a drop that the body takes attached, or they stop it, all of which its model tells.
 struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef LedgesBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
@@ -6469,7 +6672,7 @@ inline ::flatbuffers::Offset<Basins> CreateBasinsDirect(
       left_packed);
 }
 
-/// The models of the templates that are kept, as far as their files are at hand. Since 1.2.
+/// The models of the templates that are kept, as far as their files are at hand. Since 1.3.
 struct Models FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef ModelsBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
@@ -6625,7 +6828,7 @@ inline ::flatbuffers::Offset<Models> CreateModelsDirect(
 }
 
 /// The other files that the level was compiled from, and the names that none has: where such a file is added, the level may
-/// become another. Sorted by folder and name. Since 1.2.
+/// become another. Sorted by folder and name. Since 1.3.
 struct Files FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   typedef FilesBuilder Builder;
   enum FlatBuffersVTableOffset FLATBUFFERS_VTABLE_UNDERLYING_TYPE {
@@ -6812,7 +7015,8 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
     VT_TEXT_START = 52,
     VT_TEXT_START_PACKED = 54,
     VT_MODELS = 56,
-    VT_FILES = 58
+    VT_FILES = 58,
+    VT_SYMBOLS = 60
   };
   /// Readers refuse a file whose major version they do not know.
   uint16_t format_major() const {
@@ -6906,7 +7110,8 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Basins *basins() const {
     return GetPointer<const jktools::Basins *>(VT_BASINS);
   }
-  /// Every text of the level, each once: UTF-8, each with a zero byte behind it. Never packed.
+  /// Every text of the level, each once. Without `symbols`: UTF-8, each with a zero byte behind it. With them: of each
+  /// text, a byte below 128 stands for itself, 128 + k for symbol k, and 255 for the byte behind it. Never packed.
   const ::flatbuffers::Vector<uint8_t> *text() const {
     return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_TEXT);
   }
@@ -6918,13 +7123,17 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const jktools::Packed *text_start_packed() const {
     return GetPointer<const jktools::Packed *>(VT_TEXT_START_PACKED);
   }
-  /// What bodies hover by. Since 1.2.
+  /// What bodies hover by. Since 1.3.
   const jktools::Models *models() const {
     return GetPointer<const jktools::Models *>(VT_MODELS);
   }
-  /// What the level was compiled from beside its source. Since 1.2.
+  /// What the level was compiled from beside its source. Since 1.3.
   const jktools::Files *files() const {
     return GetPointer<const jktools::Files *>(VT_FILES);
+  }
+  /// Parts of texts that repeat, at most 127: each of 1 to 255 bytes with a zero byte behind it. Never packed. Since 1.3.
+  const ::flatbuffers::Vector<uint8_t> *symbols() const {
+    return GetPointer<const ::flatbuffers::Vector<uint8_t> *>(VT_SYMBOLS);
   }
   template <bool B = false>
   bool Verify(::flatbuffers::VerifierTemplate<B> &verifier) const {
@@ -6987,6 +7196,8 @@ struct Level FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
            verifier.VerifyTable(models()) &&
            VerifyOffset(verifier, VT_FILES) &&
            verifier.VerifyTable(files()) &&
+           VerifyOffset(verifier, VT_SYMBOLS) &&
+           verifier.VerifyVector(symbols()) &&
            verifier.EndTable();
   }
 };
@@ -7079,6 +7290,9 @@ struct LevelBuilder {
   void add_files(::flatbuffers::Offset<jktools::Files> files) {
     fbb_.AddOffset(Level::VT_FILES, files);
   }
+  void add_symbols(::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> symbols) {
+    fbb_.AddOffset(Level::VT_SYMBOLS, symbols);
+  }
   explicit LevelBuilder(::flatbuffers::FlatBufferBuilder &_fbb)
         : fbb_(_fbb) {
     start_ = fbb_.StartTable();
@@ -7125,8 +7339,10 @@ inline ::flatbuffers::Offset<Level> CreateLevel(
     ::flatbuffers::Offset<::flatbuffers::Vector<uint32_t>> text_start = 0,
     ::flatbuffers::Offset<jktools::Packed> text_start_packed = 0,
     ::flatbuffers::Offset<jktools::Models> models = 0,
-    ::flatbuffers::Offset<jktools::Files> files = 0) {
+    ::flatbuffers::Offset<jktools::Files> files = 0,
+    ::flatbuffers::Offset<::flatbuffers::Vector<uint8_t>> symbols = 0) {
   LevelBuilder builder_(_fbb);
+  builder_.add_symbols(symbols);
   builder_.add_files(files);
   builder_.add_models(models);
   builder_.add_text_start_packed(text_start_packed);
@@ -7187,7 +7403,8 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
     const std::vector<uint32_t> *text_start = nullptr,
     ::flatbuffers::Offset<jktools::Packed> text_start_packed = 0,
     ::flatbuffers::Offset<jktools::Models> models = 0,
-    ::flatbuffers::Offset<jktools::Files> files = 0) {
+    ::flatbuffers::Offset<jktools::Files> files = 0,
+    const std::vector<uint8_t> *symbols = nullptr) {
   auto tool_version__ = tool_version ? _fbb.CreateString(tool_version) : 0;
   auto checksum__ = checksum ? _fbb.CreateVector<uint8_t>(*checksum) : 0;
   auto inputs__ = inputs ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Input>>(*inputs) : 0;
@@ -7196,6 +7413,7 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
   auto omissions__ = omissions ? _fbb.CreateVector<::flatbuffers::Offset<jktools::Omission>>(*omissions) : 0;
   auto text__ = text ? _fbb.CreateVector<uint8_t>(*text) : 0;
   auto text_start__ = text_start ? _fbb.CreateVector<uint32_t>(*text_start) : 0;
+  auto symbols__ = symbols ? _fbb.CreateVector<uint8_t>(*symbols) : 0;
   return jktools::CreateLevel(
       _fbb,
       format_major,
@@ -7225,7 +7443,8 @@ inline ::flatbuffers::Offset<Level> CreateLevelDirect(
       text_start__,
       text_start_packed,
       models,
-      files);
+      files,
+      symbols__);
 }
 
 inline const jktools::Level *GetLevel(const void *buf) {

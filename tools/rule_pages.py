@@ -6,12 +6,14 @@ written by people: how many findings of a rule were read in the level, and how m
 
 from __future__ import annotations
 
+import json
 import tomllib
 from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from jktools.diagnostics.wording import counted
 from jktools.linter import Rule, rules
 from jktools.linter.rule import ANY_DOCUMENT, options_of
 from jktools.session import Settings, check, discover
@@ -24,8 +26,9 @@ ROOT = Path(__file__).resolve().parent.parent
 CORPUS = ROOT.parent / "shared" / "corpus"
 COUNTS = "docs/rules/corpus.toml"
 PRECISION = "docs/precision.toml"
-UNCOUNTED = frozenset({"JK830", "JK831", "JK832"})
-"""Rules that are off and take the whole visibility of each level: half a minute over the corpus."""
+REPORTS = "tests/data/broken"
+UNCOUNTED = frozenset({"JK830"})
+"""A rule that is off and takes the whole visibility of each level."""
 
 
 def count_corpus(into: Path) -> Path:
@@ -57,12 +60,13 @@ def rule_pages(into: Path) -> list[Path]:
     """Write one page a rule and their index."""
     counts = _table(ROOT / COUNTS)
     precision = _table(ROOT / PRECISION)
+    said = _said()
     folder = into / "docs/rules"
     folder.mkdir(parents=True, exist_ok=True)
     made = []
     for rule in rules():
         page = folder / f"{rule.code.id}.md"
-        page.write_text("\n".join(_page(rule, counts, precision.get(rule.code.id, {}))) + "\n")
+        page.write_text("\n".join(_page(rule, counts, precision.get(rule.code.id, {}), said.get(rule.code.id))) + "\n")
         made.append(page)
     index = folder / "README.md"
     index.write_text("\n".join(_index(counts)) + "\n")
@@ -86,12 +90,27 @@ def _table(path: Path) -> dict[str, Any]:
     return tomllib.loads(path.read_text()) if path.exists() else {}
 
 
+def _said() -> dict[str, dict[str, Any]]:
+    """For each rule, the first finding in the kept reports on `fixtures/broken`."""
+    found: dict[str, dict[str, Any]] = {}
+    for report in sorted((ROOT / REPORTS).glob("*.json")):
+        for finding in json.loads(report.read_text("utf-8"))["diagnostics"]:
+            found.setdefault(finding["code"], finding)
+    return found
+
+
 def _index(counts: dict[str, Any]) -> Iterator[str]:
     yield "# Rules"
     yield ""
     yield (
         f"Findings are counted over {counts.get('levels', 0)} real levels, {counts.get('scripts', 0)} real scripts and "
         f"{counts.get('assets', 0)} real asset files; rules that are off run when selected."
+    )
+    yield ""
+    yield (
+        "Each page has examples. Those of levels are lines laid over a small level of two rooms: a line replaces the "
+        "one with its number or name, `- line` takes one away, and `== cog/door.cog` begins a file beside the level. "
+        "What a rule says is shown as of `fixtures/broken`, where each rule has something to find."
     )
     yield ""
     yield "| code | name | severity | findings | in files | reports |"
@@ -105,13 +124,20 @@ def _index(counts: dict[str, Any]) -> Iterator[str]:
         )
 
 
-def _page(rule: Rule, counts: dict[str, Any], precision: dict[str, Any]) -> Iterator[str]:
+def _page(rule: Rule, counts: dict[str, Any], precision: dict[str, Any], said: dict[str, Any] | None) -> Iterator[str]:
     yield f"# {rule.code.id} {rule.code.name}"
     yield ""
     state = "on" if rule.on else "off unless selected"
     yield f"{str(rule.code.severity).capitalize()}, {state}, since {rule.since}."
     yield ""
     yield rule.docs.rstrip()
+    if said:
+        yield ""
+        yield "## What it says"
+        yield f"    {said['severity']}[{rule.code.id}]: {said['message']}"
+        yield f"      --> {said['path']}" + (f":{said['line']}:{said['column']}" if said["line"] else "")
+        if said["help"]:
+            yield f"      = help: {said['help']}"
     options = options_of(rule)
     if options:
         yield ""
@@ -123,8 +149,13 @@ def _page(rule: Rule, counts: dict[str, Any], precision: dict[str, Any]) -> Iter
     if count:
         yield ""
         yield f"## On real {kind}"
-        yield f"{count['findings']} findings in {count['files']} of {files} {kind}."
+        number = counted(count["findings"], "finding")
+        yield f"{number} in {count['files']} of {files} {kind}." if count["findings"] else f"None in {files} {kind}."
     if precision:
-        read, true = precision["read"], precision["true"]
-        verdict = f"Of {read} read in the {_PLACE.get(kind, 'file')}, {true} were true. " if read else ""
-        yield f"{verdict}{precision.get('note', '')}".strip()
+        read, true, note = precision["read"], precision["true"], precision.get("note", "").rstrip(".")
+        if read:
+            yield f"Of {read} read in the {_PLACE.get(kind, 'file')}, {true} {'was' if true == 1 else 'were'} true" + (
+                f": {note}." if note else "."
+            )
+        elif note:
+            yield f"{note[0].upper()}{note[1:]}."

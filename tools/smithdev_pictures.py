@@ -66,7 +66,9 @@ def plan(axes: Axes) -> None:
         box = c.sector_bound_box[sectors]
         x, low, high = box[:, [0, 3]].mean(), box[:, 1].min(), box[:, 4].max()
         if name == "hub":
-            axes.text(x, 0, name, ha="center", va="center")
+            axes.text(x, 1.5, name, ha="center", va="center")
+            axes.plot(x, 0, "o", color="tab:red", markersize=3)
+            axes.text(x, -0.5, "start", ha="center", va="top", fontsize=6)
         elif high > CUT:
             axes.text(
                 x, CUT - 0.5, f"{name.replace('_', ' ')} (goes on to {high:g})", ha="center", va="top", rotation=90
@@ -96,6 +98,18 @@ def pits(axes: Axes) -> None:
         axes.text(
             ring[:, 0].mean(), ring[:, 1].mean(), f"insert offset {row['insert_offset']}", ha="center", va="center"
         )
+    for name, (surface, *_) in HANDLE["pit_rows"]["surfaces"].items():
+        if name.endswith(".floor") and name.startswith(("door", "trap", "stair")):
+            middle = _ring(surface).mean(axis=0)
+            axes.text(
+                middle[0],
+                middle[1],
+                name.split(".")[0].split(" ")[0],
+                ha="center",
+                va="center",
+                fontsize=6,
+                color="0.4",
+            )
     for pit in HANDLE["pit_rows"]["about"]["pits"]:
         walk, bottom = (HANDLE["pit_rows"]["surfaces"][f"{pit[key]}.floor"][0] for key in ("walk", "pit"))
         assert c.ledges is not None
@@ -106,10 +120,12 @@ def pits(axes: Axes) -> None:
         edge = ring[[corner, (corner + 1) % len(ring)]]
         axes.plot(edge[:, 0], edge[:, 1], color=SHOWN[Kind(c.ledges.kind[found])], linewidth=3)
         middle = _ring(bottom).mean(axis=0)
-        axes.text(middle[0], middle[1], pit["depth"], ha="center", va="center", fontsize=7)
+        axes.text(middle[0], middle[1], pit["depth"], ha="center", va="center", fontsize=6)
     for kind, color in SHOWN.items():
         axes.plot([], [], color=color, linewidth=3, label=kind.name.lower())
-    axes.legend(loc="upper right")
+    axes.legend(
+        loc="lower right", bbox_to_anchor=(1, 1), ncols=2, title="the rim, by the ledge pass; numbers are depths in JKU"
+    )
     axes.set_aspect("equal")
     axes.set_axis_off()
 
@@ -121,10 +137,19 @@ def changeover(axes: Axes) -> None:
         ahead = np.abs(walk.position[:, 1] - walk.position[0, 1]) - 0.5
         shown = (ahead > -0.05) & (ahead < 0.35)
         name = f"pit {depth}" + (" at 0.2 JKU/s" if maxthrust else "")
-        axes.plot(ahead[shown], walk.position[shown, 2], style, label=name)
+        (line,) = axes.plot(ahead[shown], walk.position[shown, 2], style, label=name)
+        flies = shown & ~walk.attached
+        axes.plot(ahead[flies], walk.position[flies, 2], ".", color="tab:red", markersize=3)
+        if maxthrust:
+            turn = int(np.argmin(np.abs(ahead - 0.026)))
+            axes.annotate(
+                "the bump", (ahead[turn], walk.position[turn, 2]), (-0.02, 0.02), fontsize=7,
+                arrowprops={"arrowstyle": "-", "color": line.get_color()},
+            )  # fmt: skip
+    axes.plot([], [], ".", color="tab:red", label="in the air")
     axes.axvline(0, color="0.5", linewidth=0.6)
     axes.set_xlabel("JKU past the rim")
-    axes.set_ylabel("height of the body, JKU")
+    axes.set_ylabel("height over the walkway, JKU")
     axes.legend()
     axes.grid(alpha=0.3)
 
@@ -135,9 +160,13 @@ def hallway(axes: Axes) -> None:
         walk = _walk(f"velocity_hallway/start of {lane}", "0 walk forward\n7 release\n12 end", "walkplayer", None)
         style = "--" if lane == "shallow water" else "-"
         axes.plot(walk.time, np.linalg.norm(walk.velocity, axis=1), style, label=lane)
+    for speed, said in ((0.65, "Drawing 1: 0.65"), (1.2, "Drawing 3: 1.2"), (0.3, "static drag 0.3")):
+        axes.axhline(speed, color="0.5", linewidth=0.6, linestyle=":")
+        axes.text(12.1, speed, said, fontsize=7, color="0.3", ha="right", va="bottom")
     axes.set_xlabel("seconds")
     axes.set_ylabel("velocity, JKU/s")
-    axes.legend()
+    axes.set_ylim(-0.05, 1.3)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.36, 0.08))
     axes.grid(alpha=0.3)
 
 
@@ -147,13 +176,16 @@ def stairs(axes: Axes) -> None:
     for name, (surface, *_) in HANDLE["walkway"]["surfaces"].items():
         if name.endswith(".floor") and (name.startswith("steep") or name in ("rest.floor", "end.floor")):
             ring = _ring(surface)
-            axes.plot([ring[:, 0].max(), ring[:, 0].min()], [ring[0, 2]] * 2, color="0.4", linewidth=2)
+            axes.fill_between([ring[:, 0].min(), ring[:, 0].max()], ring[0, 2], -4.75, color="0.85", linewidth=0)
+            axes.plot([ring[:, 0].max(), ring[:, 0].min()], [ring[0, 2]] * 2, color="0.4", linewidth=1.5)
     assert c.ledges is not None
     for gait in ("walk", "run"):
         walk = _walk("walkway/walks the steep flight", f"0 {gait} forward\n5 end", "walkplayer", None)
         held = walk.attached
-        axes.plot(walk.position[:, 0], walk.position[:, 2], label=gait, linewidth=0.8)
+        axes.plot(walk.position[:, 0], walk.position[:, 2], label=gait, linewidth=1.2)
         axes.plot(walk.position[~held, 0], walk.position[~held, 2], ".", color="tab:red", markersize=2)
+    axes.plot([], [], ".", color="tab:red", label="in the air")
+    axes.set_ylim(-4.75, -3.2)
     axes.set_xlabel("x, JKU")
     axes.set_ylabel("height of the body, JKU")
     axes.invert_xaxis()

@@ -67,7 +67,7 @@ def lights(axes: Axes) -> None:
     table = GOLDEN["dynamic_light"]["distance"][0]
     axes.plot(table["distance_corrected"], table["pixel"], "kx", label="Table 17, light 1.0")
     axes.set_xlabel("JKU from the light to the target's middle")
-    axes.set_ylabel("pixel")
+    axes.set_ylabel("pixel, 0 to 255")
     axes.legend()
     axes.grid(alpha=0.3)
 
@@ -89,20 +89,35 @@ def _pixel(target: str, lamp: str) -> int:
     return int(light.pixel(drawn.mean()))
 
 
-SHAPES = ("wide", "shell", "slice", "band", "pitch_thin", "expand")
+SHAPES = {
+    "wide": "range 0.1", "shell": "minsize 0.09\nrange 0.11", "slice": "and 35 degrees\nto each side",
+    "band": "pitch 5, yaw 170:\na gap behind", "pitch_thin": "pitch 0.1,\nall around",
+    "expand": "typeflag 0x01: at once,\nand after 0.5 s",
+}  # fmt: skip
+WIDTH = 0.34
+"""JKU from one cloud to the next."""
 
 
 def shapes(axes: Axes) -> None:
-    """Clouds from the front and a little from above, as they are created; the last one half a second later."""
-    for i, name in enumerate(SHAPES):
-        track = particles.simulate(_cloud(name), seconds=0.5)
-        places = track.positions[-1 if name == "expand" else 0]
-        size = 0.13 if name != "expand" else 0.26
-        x, y = places[:, 0] / size, (places[:, 2] + 0.3 * places[:, 1]) / size
-        axes.scatter(x + 2.4 * i, y, s=2, c="tab:blue", linewidths=0)
-        axes.text(2.4 * i, -1.35, name, ha="center", va="top")
+    """Clouds from the front and a little from above, as they are created; the last one half a second later, too."""
+    turns = np.radians(np.arange(361))
+    for place, (name, said) in enumerate(SHAPES.items()):
+        # What has grown takes more room.
+        i = place + 0.3 * (name == "expand")
+        template = _cloud(name)
+        track = particles.simulate(template, seconds=0.5)
+        for frame, color in ((0, "tab:blue"), *(((-1, "tab:orange"),) if name == "expand" else ())):
+            places = track.positions[frame]
+            x, y = places[:, 0], places[:, 2] + 0.3 * places[:, 1]
+            axes.scatter(x + WIDTH * i, y, s=3, c=color, linewidths=0)
+        for radius in {template.minsize, template.range} - {0.0}:
+            axes.plot(radius * np.cos(turns) + WIDTH * i, radius * np.sin(turns), color="0.8", linewidth=0.5, zorder=0)
+        axes.text(WIDTH * i, -0.24, name, ha="center", va="top", weight="bold")
+        axes.text(WIDTH * i, -0.275, said, ha="center", va="top", fontsize=7, color="0.3")
+    axes.plot([-0.15, -0.05], [0.2, 0.2], color="0.2", linewidth=1.5)
+    axes.text(-0.1, 0.21, "0.1 JKU", ha="center", va="bottom", fontsize=7)
     axes.set_aspect("equal")
-    axes.set_ylim(-1.7, 1.2)
+    axes.set_ylim(-0.34, 0.25)
     axes.set_axis_off()
 
 
@@ -111,6 +126,9 @@ def fades(axes: Axes) -> None:
     for name in ("lasting", "fading", "fading_rate_0", "fading_rate_128"):
         track = particles.simulate(_cloud(name), seconds=9)
         axes.plot(track.times, track.alive.sum(axis=1), "--" if name == "fading_rate_0" else "-", label=name)
+    axes.axvline(1, color="0.6", linewidth=0.6, linestyle=":")
+    axes.text(1.05, 131, "the timer ends", fontsize=7, color="0.3", va="bottom")
+    axes.set_ylim(-6, 142)
     axes.set_xlabel("seconds")
     axes.set_ylabel("particles")
     axes.legend(title="+partest_...")
@@ -176,6 +194,10 @@ def sight(axes: Axes) -> None:
     axes.set_axis_off()
 
 
+TITLES = {
+    "placed": "placed by the level\nat 10/20/0", "ghost at 0": "created on a ghost\nat 0/0/0",
+    "ghost at 45": "created on a ghost\nat 0/45/0", "ghost at 45, NR": "the same\nby CreateThingNR",
+}  # fmt: skip
 COLUMNS = (("placed", Creation.PLACED), ("ghost at 0", Creation.CREATE_THING), ("ghost at 45", Creation.CREATE_THING),
            ("ghost at 45, NR", Creation.CREATE_THING_NR))  # fmt: skip
 ROWS = ("level", "raised", "rolled")
@@ -199,20 +221,23 @@ def strifles(axes: Axes) -> None:
                 axes.plot(flat[:, 0], flat[:, 1], color=color, linewidth=2)
                 if color == "tab:blue":
                     axes.plot(*flat[1], "o", color=color, markersize=4)
-        axes.text(3 * x, 1.4, name, ha="center")
+        axes.text(3 * x, 1.4, TITLES[name], ha="center")
     for y, row in enumerate(ROWS):
         axes.text(-1.6, -2.2 * y, f"orient={'/'.join(map(str, orients[row]))}", ha="right", va="center")
+    axes.plot([], [], "o-", color="tab:blue", markersize=4, label="barrel and muzzle")
+    axes.plot([], [], color="tab:red", label="its up")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.55, 0.02), ncols=2, frameon=False)
     axes.set_xlim(-3.6, 10.5)
-    axes.set_ylim(-5.6, 1.9)
+    axes.set_ylim(-5.6, 2.5)
     axes.set_aspect("equal")
     axes.set_axis_off()
 
 
 PICTURES: dict[str, tuple[Callable[[Axes], None], tuple[float, float]]] = {
-    "strifles.svg": (strifles, (6.5, 3.6)),
+    "strifles.svg": (strifles, (6.5, 4.0)),
     "colours.svg": (colours, (8.0, 4.4)),
     "lights.svg": (lights, (6.5, 3.0)),
-    "shapes.svg": (shapes, (8.0, 1.8)),
+    "shapes.svg": (shapes, (8.6, 2.6)),
     "fades.svg": (fades, (6.5, 2.8)),
     "sight.svg": (sight, (8.0, 4.2)),
 }

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import contextlib
 import importlib
+import importlib.util
 import os
+import signal
 import sys
-from collections.abc import Sequence
-from typing import Any
+import threading
+from collections.abc import Iterator, Sequence
+from types import FrameType
 
 import click
 
 from jktools import __version__
 from jktools.cli.status import Status
+from jktools.cli.streams import let_go, tell
 from jktools.emit.printable import printable
 
 COMMANDS = {
@@ -61,12 +65,12 @@ def cli() -> None:
 
 def problem(message: str) -> None:
     """Tell a problem of the run, as opposed to a finding, on standard error."""
-    click.echo(f"jktools: error: {printable(message)}", err=True)
+    tell(f"jktools: error: {printable(message)}")
 
 
 def note(message: str) -> None:
     """Tell something that is no problem, on standard error."""
-    click.echo(f"jktools: note: {printable(message)}", err=True)
+    tell(f"jktools: note: {printable(message)}")
 
 
 def run(words: Sequence[str]) -> int:
@@ -74,20 +78,26 @@ def run(words: Sequence[str]) -> int:
     from jktools.source import InputError  # noqa: PLC0415 (numpy comes with it; --help needs none)
 
     try:
-        return int(cli.main(list(words), prog_name="jktools", standalone_mode=False) or Status.CLEAN)
+        with _terminated_as_by_keyboard():
+            return int(cli.main(list(words), prog_name="jktools", standalone_mode=False) or Status.CLEAN)
     except click.UsageError as error:
-        error.show()
+        try:
+            error.show()
+        except OSError:
+            let_go(sys.stderr)
         return Status.USAGE
     except (click.ClickException, InputError) as error:
         problem(error.message if isinstance(error, click.ClickException) else str(error))
         return Status.USAGE
+    except _TerminatedError:
+        return Status.TERMINATED
     except (click.Abort, KeyboardInterrupt):
-        return 130
-    except BrokenPipeError:
-        _let_go_of_stdout()
-        return Status.CLEAN
+        return Status.INTERRUPTED
+    except (BrokenPipeError, SystemExit):  # click makes an exit of a closed pipe
+        let_go(sys.stdout)
+        return Status.CLOSED_PIPE
     except OSError as error:
-        _let_go_of_stdout()
+        let_go(sys.stdout)
         problem(f"cannot write the output: {(error.strerror or str(error)).lower()}")
         return Status.USAGE
     except Exception as error:
@@ -97,32 +107,22 @@ def run(words: Sequence[str]) -> int:
         return Status.BUG
 
 
-def _let_go_of_stdout() -> None:
-    """Keep Python from flushing, at its end, into what takes no more: a closed pipe or a full disk."""
-    with contextlib.suppress(OSError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+class _TerminatedError(BaseException):
+    """The system asked for an end: files that are half written go away as on Ctrl-C."""
 
 
-base_option = click.option(
-    "--base", multiple=True, metavar="PATH",
-    help="A folder or pack with the game's own files, searched after the level's own. May be repeated.",
-)  # fmt: skip
+@contextlib.contextmanager
+def _terminated_as_by_keyboard() -> Iterator[None]:
+    """Raise on a request to terminate, so that it cleans up; another thread than the main one cannot ask for that."""
 
+    def terminate(_: int, __: FrameType | None) -> None:
+        raise _TerminatedError
 
-def common(function: Any) -> Any:
-    """The options that every command over levels has."""
-    options = (
-        click.option(
-            "--game", type=click.Choice(["jk", "mots"]), default=None,
-            help="The game whose reading applies. [default: mots for a GOO, else jk]",
-        ),
-        base_option,
-        click.option(
-            "--config", metavar="FILE", default=None,
-            help="The configuration to use, or none for none. [default: jktools.toml found upward from each PATH]",
-        ),
-        click.option("--strict-grammar", is_flag=True, help="Read every record with the grammar: slow, same result."),
-    )  # fmt: skip
-    for option in reversed(options):
-        function = option(function)
-    return function
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, terminate)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)

@@ -7,13 +7,13 @@ from pathlib import Path
 
 import click
 
-from jktools.cli.app import common, note, problem
+from jktools.cli.app import note, problem
 from jktools.cli.configured import configured, overridden
+from jktools.cli.options import accuracy_option, common, engine_option
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
 from jktools.compiler import CHOICES, CompileSettings
 from jktools.emit.printable import printable, printable_step
-from jktools.engine.profile import Engine
 from jktools.geometry.mesh import Accuracy
 from jktools.session import build_all
 from jktools.session.settings import Game
@@ -31,17 +31,15 @@ _PASS = click.Choice(CHOICES)
     "--cut-anyway", is_flag=True,
     help="Leave out templates that nothing is known to reach, though not all COGs are at hand to tell.",
 )  # fmt: skip
+@click.option(
+    "--plain", is_flag=True,
+    help="Write every column as a plain vector, for engines that read no packed ones; the files get larger.",
+)  # fmt: skip
 @click.option("--only", multiple=True, type=_PASS, metavar="PASS", help="Run this pass and those that it needs.")
 @click.option("--skip", multiple=True, type=_PASS, metavar="PASS", help="Do not run this pass.")
 @click.option("--keep-going", is_flag=True, help="Leave out the section of a pass that fails, and compile the rest.")
-@click.option(
-    "--engine", type=click.Choice([e.value for e in Engine]), default=Engine.RESEARCH.value, show_default=True,
-    help="Whose word counts: the research document's, or the decompiled engine's.",
-)  # fmt: skip
-@click.option(
-    "--accuracy", type=click.Choice(["fast", "balanced", "exact"]), default="balanced", show_default=True,
-    help="How true and how slow what is computed is.",
-)  # fmt: skip
+@engine_option("Whose word counts: the research document's, or the decompiled engine's.")
+@accuracy_option("How true and how slow what is computed is.")
 @click.option(
     "--jobs", type=click.IntRange(min=0), default=1, show_default=True, metavar="N",
     help="Levels compiled at a time, each in a process of its own; 0 means one a core.",
@@ -53,6 +51,7 @@ def command(
     paths: tuple[str, ...],
     out: Path,
     cut_anyway: bool,
+    plain: bool,
     only: tuple[str, ...],
     skip: tuple[str, ...],
     keep_going: bool,
@@ -89,6 +88,7 @@ def command(
             skip=frozenset(skip),
             keep_going=keep_going,
             cut_anyway=cut_anyway,
+            plain=plain,
         )
         built = build_all(paths, out, settings, report, compiling, jobs)
     if not quiet:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import click
 
-from jktools.cli.app import base_option, note, problem
+from jktools.cli.app import note, problem
 from jktools.cli.configured import configured
+from jktools.cli.options import base_option, game_option
 from jktools.cli.status import Status
 from jktools.emit import cog as report
 from jktools.facts import LevelFacts, ScriptFacts
@@ -25,7 +26,7 @@ MOST_NAMED = 3
 @click.command("cog")
 @click.argument("paths", nargs=-1, required=True, metavar="PATH...")
 @click.option("--json", "as_json", is_flag=True, help="The same as JSON; its shape is docs/cog.schema.json.")
-@click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
+@game_option
 @click.option("--config", metavar="FILE", default=None, help="The configuration to use, or none for none.")
 @click.option("--level", metavar="LEVEL", default=None, help="Tell what tests of sight cost in this level.")
 @base_option

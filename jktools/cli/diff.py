@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import click
 
-from jktools.cli.app import base_option, problem
+from jktools.cli.app import problem
+from jktools.cli.options import accuracy_option, base_option, engine_option, game_option
 from jktools.cli.status import Status
 from jktools.compiler import CompileError, CompileSettings
 from jktools.compiler.comparison import compare
 from jktools.emit import difference
-from jktools.engine.profile import Engine
 from jktools.geometry.mesh import Accuracy
 from jktools.session.comparing import open_both
 from jktools.session.settings import Game
@@ -20,15 +20,9 @@ from jktools.session.settings import Game
 @click.argument("after", metavar="B")
 @click.option("--json", "as_json", is_flag=True, help="The same as JSON, with every record.")
 @click.option("--all", "whole", is_flag=True, help="Show every record that differs, not the first ten of a kind.")
-@click.option(
-    "--engine", type=click.Choice([e.value for e in Engine]), default=Engine.RESEARCH.value, show_default=True,
-    help="Whose word counts where both are sources.",
-)  # fmt: skip
-@click.option(
-    "--accuracy", type=click.Choice(["fast", "balanced", "exact"]), default="balanced", show_default=True,
-    help="How true and how slow what is computed is where both are sources.",
-)  # fmt: skip
-@click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
+@engine_option("Whose word counts where both are sources.")
+@accuracy_option("How true and how slow what is computed is where both are sources.")
+@game_option
 @base_option
 def command(
     before: str,

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import click
 
-from jktools.cli.app import base_option, problem
+from jktools.cli.app import problem
+from jktools.cli.options import base_option
 from jktools.cli.status import Status
 from jktools.compiler import open_compiled
 from jktools.emit import compiled

@@ -9,8 +9,9 @@ from pathlib import Path
 
 import click
 
-from jktools.cli.app import common, note, problem
+from jktools.cli.app import note, problem
 from jktools.cli.configured import configured, overridden
+from jktools.cli.options import common
 from jktools.cli.progress import progress
 from jktools.cli.status import Status, fails, of_findings
 from jktools.diagnostics import Diagnostic, Severity

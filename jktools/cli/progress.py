@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from jktools.session.batch import Progress, silent
+from jktools.session.progress import Progress, silent
 
 PATIENCE = 1.0
 """Seconds before a bar appears."""

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import click
 
-from jktools.cli.app import common, problem
+from jktools.cli.app import problem
 from jktools.cli.configured import configured, overridden
+from jktools.cli.options import accuracy_option, common, engine_option
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
 from jktools.compiler import CompileSettings
 from jktools.emit.printable import printable
-from jktools.engine.profile import Engine
 from jktools.geometry.mesh import Accuracy
 from jktools.linter import UnknownRuleError
 from jktools.session.reporting import report_all
@@ -25,14 +25,8 @@ from jktools.session.settings import Game
     "-o", "--output", "out", type=click.Path(path_type=Path), required=True, metavar="OUT",
     help="A folder, or an .html file when there is one level.",
 )  # fmt: skip
-@click.option(
-    "--engine", type=click.Choice([e.value for e in Engine]), default=Engine.RESEARCH.value, show_default=True,
-    help="Whose word counts: the research document's, or the decompiled engine's.",
-)  # fmt: skip
-@click.option(
-    "--accuracy", type=click.Choice(["fast", "balanced", "exact"]), default="balanced", show_default=True,
-    help="How true and how slow what is computed is.",
-)  # fmt: skip
+@engine_option("Whose word counts: the research document's, or the decompiled engine's.")
+@accuracy_option("How true and how slow what is computed is.")
 @common
 def command(
     paths: tuple[str, ...],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from jktools.cli.app import base_option
+from jktools.cli.options import base_option, engine_option, game_option
 from jktools.engine.profile import Engine
 from jktools.facts.level import LevelFacts
 from jktools.facts.scene import scene, tell
@@ -17,14 +17,8 @@ from jktools.session.settings import Game
 @click.argument("level", metavar="LEVEL")
 @click.argument("a", metavar="A")
 @click.argument("b", metavar="B")
-@click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
-@click.option(
-    "--engine",
-    type=click.Choice([str(each) for each in Engine]),
-    default=str(Engine.RESEARCH),
-    show_default=True,
-    help="The research document's rules, or those of the decompiled engine.",
-)
+@game_option
+@engine_option("The research document's rules, or those of the decompiled engine.")
 @click.option("--things/--no-things", default=True, help="Whether things block, or walls only.")
 @base_option
 def command(level: str, a: str, b: str, game: Game | None, engine: str, things: bool, base: tuple[str, ...]) -> int:
@@ -32,6 +26,9 @@ def command(level: str, a: str, b: str, game: Game | None, engine: str, things: 
 
     In research any solid thing in the way blocks, in openjkdf2 those of type cog. What moves, or what a COG may change,
     gives "varies".
+
+    LEVEL is a source: a compiled level holds neither the faces of models nor what scripts may change. Past walls alone
+    it answers from Python and C++ (`CompiledLevel.mesh`, runtime/README.md).
 
     A and B are things by number, or points as x,y,z (put -- before a negative one).
     """

@@ -15,6 +15,9 @@ class Status(enum.IntEnum):
     FINDINGS = 1
     USAGE = 2
     BUG = 3
+    INTERRUPTED = 130
+    CLOSED_PIPE = 141
+    TERMINATED = 143
 
 
 def of_findings(diagnostics: Sequence[Diagnostic], fail_on: Severity | None) -> Status:

@@ -6,12 +6,12 @@ from collections.abc import Iterable
 
 import click
 
-from jktools.cli.app import base_option
+from jktools.cli.options import base_option, game_option
 from jktools.emit import template as template_format
 from jktools.emit.printable import printable
 from jktools.linter.spelling import did_you_mean
 from jktools.model import Level
-from jktools.model.templates import Resolved
+from jktools.model.resolved import Resolved
 from jktools.session import load
 from jktools.session.settings import Game
 
@@ -20,7 +20,7 @@ from jktools.session.settings import Game
 @click.argument("level", metavar="LEVEL")
 @click.argument("name", metavar="[NAME]", required=False)
 @click.option("--json", "as_json", is_flag=True, help="The same as JSON.")
-@click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
+@game_option
 @base_option
 def command(level: str, name: str | None, as_json: bool, game: Game | None, base: tuple[str, ...]) -> int:
     """Explain where the values of a template come from: each with the template and the line that set it.

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+import math
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import click
 
-from jktools.cli.app import base_option
+from jktools.cli.options import Number, base_option, engine_option, need_matplotlib
 from jktools.compiler import CompiledLevel
 from jktools.engine.attachment import Event
 from jktools.engine.body import WALKPLAYER, Body
@@ -17,10 +19,16 @@ from jktools.engine.profile import Engine
 from jktools.engine.simulation import History
 from jktools.model import Level
 from jktools.session.opening import open_level
+from jktools.session.write import write_report
+from jktools.source import InputError
+from jktools.source.container import describe as describe_error
+from jktools.source.container import describe_bytes
 from jktools.trace import fit, recording, script, trace
 from jktools.trace.fitting import Fit, FitError, Interval
 from jktools.trace.in_level import body_named, start_at, trace_in_level
-from jktools.trace.write import to_csv, write
+from jktools.trace.write import rendered, to_csv
+
+T = TypeVar("T")
 
 PARAMETERS = {field.name for field in dataclasses.fields(Body)}
 
@@ -36,22 +44,18 @@ def command() -> None:
 
 
 @command.command("run", epilog=_verbatim(script.__doc__))
-@click.argument("path", metavar="SCRIPT", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("path", metavar="SCRIPT", type=click.Path(path_type=Path))
 @click.option(
     "-o",
     "--output",
     type=click.Path(dir_okay=False, path_type=Path),
     help="OUT.csv, .m or .png; CSV goes to standard output without it.",
 )
-@click.option(
-    "--engine", type=click.Choice([e.value for e in Engine]), default=Engine.RESEARCH.value, show_default=True
-)
+@engine_option("The research document's rules, or those of the decompiled engine.")
 @click.option(
     "--scheme", type=click.Choice([s.value for s in Scheme]), help="The integrator. [default: the profile's own]"
 )
-@click.option(
-    "--fps", type=click.FloatRange(min=0, min_open=True), default=50.0, show_default=True, help="Frames a second."
-)
+@click.option("--fps", type=Number(min=0, min_open=True), default=50.0, show_default=True, help="Frames a second.")
 @click.option("--set", "settings", metavar="NAME=VALUE", multiple=True, help="Change one of the body's parameters.")
 @click.option(
     "--level",
@@ -82,12 +86,14 @@ def run_command(
         raise click.BadParameter(
             f"there is no folder {output.parent} to write {output.name} into", param_hint="--output"
         )
+    if output is not None and output.suffix.lower() == ".png":
+        need_matplotlib()
     if (level is None) != (place is None):
         raise click.UsageError("--level and --at go together")
     if template is not None and level is None:
         raise click.UsageError("--body names a template of --level")
     try:
-        text = path.read_text(encoding="utf-8")
+        text = _read(path, lambda: path.read_text(encoding="utf-8"))
         loaded = None if level is None else open_level(level, base)
         body = WALKPLAYER if loaded is None or template is None else _body_of(loaded, template)
         options = _Options(_changed(body, settings), Engine(engine), Scheme(scheme) if scheme else None, fps)
@@ -97,8 +103,17 @@ def run_command(
     if output is None:
         click.echo(to_csv(history), nl=False)
     else:
-        write(history, output)
+        write_report(output, rendered(history, output.suffix))
     _tell(history)
+
+
+def _read(path: Path, reading: Callable[[], T]) -> T:
+    try:
+        return reading()
+    except OSError as error:
+        raise InputError(f"cannot read {path}: {describe_error(error)}") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"cannot read {path}: {describe_bytes(error)}") from error
 
 
 class _Options(NamedTuple):
@@ -131,6 +146,8 @@ def _changed(body: Body, settings: tuple[str, ...]) -> Body:
             raise click.BadParameter(f"{name} is none of {', '.join(sorted(PARAMETERS))}", param_hint="--set")
         try:
             changes[name] = int(value, 16) if name == "physflags" else float(value)
+            if not math.isfinite(changes[name]):
+                raise ValueError
         except ValueError:
             raise click.BadParameter(f"{value!r} is no value for {name}", param_hint="--set") from None
     return dataclasses.replace(body, **changes)
@@ -147,15 +164,15 @@ def _tell(history: History) -> None:
 
 
 @command.command("fit", epilog=_verbatim(recording.__doc__))
-@click.argument("log", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("log", type=click.Path(path_type=Path))
 @click.option("--from", "start", type=float, default=float("-inf"), help="Seconds; earlier rows are left out.")
 @click.option("--to", "end", type=float, default=float("inf"), help="Seconds; later rows are left out.")
 @click.option("--drag", "known_drag", type=float, help="The drag that the template states: tells integrators apart.")
 def fit_command(log: Path, start: float, end: float, known_drag: float | None) -> None:
     """Fit drag, thrust and integrator to LOG."""
     try:
-        found = fit(recording.read(log).between(start, end), known_drag=known_drag)
-    except (recording.RecordingError, FitError, UnicodeDecodeError) as error:
+        found = fit(_read(log, lambda: recording.read(log)).between(start, end), known_drag=known_drag)
+    except (recording.RecordingError, FitError) as error:
         raise click.ClickException(f"{log}: {error}") from None
     click.echo("\n".join(describe(found)))
 

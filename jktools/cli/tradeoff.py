@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import functools
-import importlib.util
 import shutil
 import sys
 from pathlib import Path
 
 import click
 
-from jktools.cli.app import base_option, note, problem
+from jktools.cli.app import note, problem
+from jktools.cli.options import Number, base_option, engine_option, game_option, need_matplotlib
 from jktools.cli.progress import progress
 from jktools.cli.status import Status
 from jktools.compiler import CHOICES, CompileError, CompileSettings, compile_level
@@ -60,7 +60,7 @@ class Several(click.ParamType[tuple[str, ...]]):
     "--seed", type=click.IntRange(min=0), default=1997, show_default=True, metavar="N", help="Of the queries."
 )
 @click.option(
-    "--time-limit", type=click.FloatRange(0, min_open=True), default=60.0, show_default=True, metavar="SECONDS",
+    "--time-limit", type=Number(0, min_open=True), default=60.0, show_default=True, metavar="SECONDS",
     help="What takes longer to make ready, or to answer once, is not measured.",
 )  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="The same as JSON (docs/tradeoff.schema.json).")
@@ -68,11 +68,8 @@ class Several(click.ParamType[tuple[str, ...]]):
     "-o", "--output", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE",
     help="Plot time against error, one panel a pass: a .png or .svg. Needs the extra plot.",
 )  # fmt: skip
-@click.option(
-    "--engine", type=click.Choice([e.value for e in Engine]), default=Engine.RESEARCH.value, show_default=True,
-    help="Whose word counts for ledges, basins and motion; the rest is the same in both.",
-)  # fmt: skip
-@click.option("--game", type=click.Choice(["jk", "mots"]), default=None, help="The game whose reading applies.")
+@engine_option("Whose word counts for ledges, basins and motion; the rest is the same in both.")
+@game_option
 @base_option
 def command(
     level: str,
@@ -134,6 +131,5 @@ def _suffix(output: Path) -> str:
         raise click.BadParameter(
             f"there is no folder {output.parent} to write {output.name} into", param_hint="--output"
         )
-    if importlib.util.find_spec("matplotlib") is None:
-        raise click.UsageError("--output needs matplotlib: pip install 'jktools[plot]'")
+    need_matplotlib()
     return suffix

@@ -124,18 +124,13 @@ _RESOLVED: Mapping[str, Column] = MappingProxyType(
         "type": Column("i4", rows_of="source", since=1, group="template"),
         "move": Column("i4", rows_of="source", since=1, group="template"),
         "has_ai": Column("i4", rows_of="source", since=1, group="template"),
-        "value_start": Column("u4", rows_of="source", cuts="value_key", since=1),
-        **_grouped(
-            "value",
-            {
-                "value_key": replace(_TEXT, since=1),
-                "value_text": Column("i4", rows_of="value_key", index_of=STRINGS, or_none=True, since=1),
-                "value_source": Column("i4", rows_of="value_key", since=1),
-            },
-        ),
+        "value_start": Column("u4", rows_of="source", cuts="value_key", since=1, until=2),
+        "value_key": replace(_TEXT, since=1, until=2),
+        "value_text": Column("i4", rows_of="value_key", index_of=STRINGS, or_none=True, since=1, until=2),
+        "value_source": Column("i4", rows_of="value_key", since=1, until=2),
         "number_start": Column("u4", rows_of="value_key", cuts="number", since=1, until=1),
         "number": Column("f8", since=1, until=1),
-        "value_list": Column("u4", rows_of="value_key", index_of="list_start", since=2, group="value"),
+        "value_list": Column("u4", rows_of="value_key", index_of="list_start", since=2, until=2),
         "list_start": Column("u4", cuts="list_number", since=2),
         "list_number": Column("f8", since=2),
         "unused_start": Column("u4", rows_of="source", cuts="unused_key", since=2),
@@ -144,6 +139,17 @@ _RESOLVED: Mapping[str, Column] = MappingProxyType(
             {
                 "unused_key": replace(_TEXT, since=2),
                 "unused_value": Column("u4", rows_of="unused_key", index_of=STRINGS, since=2),
+            },
+        ),
+        "base": Column("i4", rows_of="source", index_of="source", or_none=True, since=3),
+        "own_start": Column("u4", rows_of="source", cuts="own_key", since=3),
+        **_grouped(
+            "value",
+            {
+                "own_key": replace(_TEXT, since=3),
+                "own_text": Column("i4", rows_of="own_key", index_of=STRINGS, or_none=True, since=3),
+                "own_setter": Column("i4", rows_of="own_key", since=3),
+                "own_list": Column("u4", rows_of="own_key", index_of="list_start", since=3),
             },
         ),
     }
@@ -313,21 +319,25 @@ LEDGES: Mapping[str, Column] = MappingProxyType(
             "surface",
             {
                 "surface": Column("i4", index_of=_SURFACES, or_none=True),
-                "corner": Column("u1"),
-                "start": Column("f4"),
-                "end": Column("f4"),
-                "kind": Column("u1", group="class"),
-                "other_kind": Column("u1", group="class"),
-                "below": Column("i4", index_of=_SURFACES, or_none=True),
-                "thing": Column("i4"),
-                "drop_start": Column("f4"),
-                "drop_end": Column("f4"),
-                "traits": Column("u1", group="class"),
-                "carrier": Column("i4", or_none=True, since=2, group="carrier"),
-                "carrier_frame": Column("i4", or_none=True, since=2, group="carrier"),
-                "carrier_face": Column("i4", or_none=True, since=2, group="carrier"),
-                "onto": Column("i4", or_none=True, since=2, group="onto"),
-                "onto_face": Column("i4", or_none=True, since=2, group="onto"),
+                **_grouped(
+                    "edge",
+                    {
+                        "corner": Column("u1"),
+                        "start": Column("f4"),
+                        "end": Column("f4"),
+                        "kind": Column("u1"),
+                        "other_kind": Column("u1"),
+                        "below": Column("i4", index_of=_SURFACES, or_none=True),
+                        "thing": Column("i4"),
+                        "drop_start": Column("f4"),
+                        "drop_end": Column("f4"),
+                        "traits": Column("u1"),
+                        **{
+                            name: Column("i4", or_none=True, since=2)
+                            for name in ("carrier", "carrier_frame", "carrier_face", "onto", "onto_face")
+                        },
+                    },
+                ),
             },
         ),
     }
@@ -349,10 +359,10 @@ MODELS: Mapping[str, Column] = MappingProxyType(
     _rows(
         "name",
         {
-            "name": replace(_TEXT, since=2),
-            "insert_offset": Column("f4", 3, since=2, group="model"),
-            "radius": Column("f4", since=2, group="model"),
-            "known": Column("u1", since=2, group="model"),
+            "name": replace(_TEXT, since=3),
+            "insert_offset": Column("f4", 3, since=3, group="model"),
+            "radius": Column("f4", since=3, group="model"),
+            "known": Column("u1", since=3, group="model"),
         },
     )
 )
@@ -362,12 +372,12 @@ FILES: Mapping[str, Column] = MappingProxyType(
         **_rows(
             "name",
             {
-                "name": replace(_TEXT, since=2),
-                "folder": replace(_TEXT, since=2, group="file"),
-                "found": Column("u1", since=2, group="file"),
+                "name": replace(_TEXT, since=3),
+                "folder": replace(_TEXT, since=3, group="file"),
+                "found": Column("u1", since=3, group="file"),
             },
         ),
-        "sha256": Column("u1", 32, since=2),
+        "sha256": Column("u1", 32, since=3),
     }
 )
 
@@ -399,7 +409,9 @@ SECTIONS: Mapping[str, Mapping[str, Column]] = MappingProxyType(
 )
 """The sections of the file in its order, with their columns."""
 
-TEXT: Mapping[str, Column] = MappingProxyType({"text": Column("u1"), "text_start": Column("u4", cuts="text")})
+TEXT: Mapping[str, Column] = MappingProxyType(
+    {"text": Column("u1"), "text_start": Column("u4", cuts="text"), "symbols": Column("u1", since=3)}
+)
 """Columns of the level itself: its strings. Since 1.2."""
 
 OMISSION: Mapping[str, Column] = MappingProxyType(

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.compiler.columns import GEOMETRY
-from jktools.compiler.packing import Stored, smallest
+from jktools.compiler.packing import Stored, pack, smallest
 from jktools.facts import LevelFacts
 from jktools.model import Level
 
@@ -142,11 +142,19 @@ def _normals(level: Level, moved: Level) -> npt.NDArray[np.float32]:
 
 
 def counted(columns: Mapping[str, npt.NDArray[Any]], grid: Grid | None) -> dict[str, Stored]:
-    """The columns of geometry that grids hold as whole steps, of a level on a grid."""
+    """The columns of geometry that grids hold as whole steps, of a level on a grid, where that takes fewer bytes."""
     grids = {
         "vertices": grid,
         "surface_normal": value_grid(columns["surface_normal"], (NORMAL, NORMAL)) if grid else None,
         "texture_vertices": value_grid(columns["texture_vertices"], TEXEL),
         "corner_light": value_grid(columns["corner_light"].reshape(-1, 1), LIGHT),
     }
-    return {name: each.stored(columns[name], name) for name, each in grids.items() if each is not None}
+    found = {name: each.stored(columns[name], name) for name, each in grids.items() if each is not None}
+    return {name: each for name, each in found.items() if _pays(each, columns[name], name)}
+
+
+def _pays(counted: Stored, values: npt.NDArray[Any], name: str) -> bool:
+    """Whether steps take fewer bytes than the numbers as they are; few numbers that repeat do not need a grid."""
+    column = GEOMETRY[name]
+    written = pack(values, column)
+    return written is not None and counted.cost(column) < written.cost(column)

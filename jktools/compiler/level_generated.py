@@ -620,8 +620,24 @@ class Settings(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(14))
         return o == 0
 
+    # Whether every column is its plain vector, every text UTF-8 and no template rests on another. Since 1.3.
+    # Settings
+    def Plain(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(16))
+        if o != 0:
+            return bool(self._tab.Get(flatbuffers.number_types.BoolFlags, o + self._tab.Pos))
+        return False
+
+    # Step of the grid that all vertices are on, JKU; 0 where they are as read. Since 1.3.
+    # Settings
+    def VertexStep(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(18))
+        if o != 0:
+            return self._tab.Get(flatbuffers.number_types.Float32Flags, o + self._tab.Pos)
+        return 0.0
+
 def SettingsStart(builder):
-    builder.StartObject(6)
+    builder.StartObject(8)
 
 def SettingsAddGame(builder, game):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(game), 0)
@@ -646,6 +662,12 @@ def SettingsAddSkip(builder, skip):
 
 def SettingsStartSkipVector(builder, numElems):
     return builder.StartVector(4, numElems, 4)
+
+def SettingsAddPlain(builder, plain):
+    builder.PrependBoolSlot(6, plain, 0)
+
+def SettingsAddVertexStep(builder, vertexStep):
+    builder.PrependFloat32Slot(7, vertexStep, 0.0)
 
 def SettingsEnd(builder):
     return builder.EndObject()
@@ -699,7 +721,7 @@ class Pass(object):
             return self._tab.String(o + self._tab.Pos)
         return None
 
-    # Whether it did not run to its end, by a fault of jktools; its section is then absent. Since 1.2.
+    # Whether it did not run to its end, by a fault of jktools; its section is then absent. Since 1.3.
     # Pass
     def Failed(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
@@ -3518,7 +3540,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(20))
         return o == 0
 
-    # Cuts the values; what a template does not name is 0 or nothing.
+    # Cuts the values; what a template does not name is 0 or nothing. Up to 1.2.
     # Templates
     def ValueStart(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
@@ -3546,7 +3568,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(22))
         return o == 0
 
-    # The parameter, as `size`.
+    # The parameter, as `size`. Up to 1.2.
     # Templates
     def ValueKey(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
@@ -3574,7 +3596,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(24))
         return o == 0
 
-    # A name, several parted by a blank for debris; none for what `number` holds, and for no name.
+    # A name, several parted by a blank for debris; none for what `number` holds, and for no name. Up to 1.2.
     # Templates
     def ValueText(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
@@ -3602,7 +3624,7 @@ class Templates(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(26))
         return o == 0
 
-    # The template whose line set it, by its position in the section; -1 for one of the game's static.jkl.
+    # The template whose line set it, by its position in the section; -1 for one of the game's static.jkl. Up to 1.2.
     # Templates
     def ValueSource(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(28))
@@ -3851,7 +3873,7 @@ class Templates(object):
             return obj
         return None
 
-    # Which of the lists below holds the numbers of a value.
+    # Which of the lists below holds the numbers of a value. Only 1.2.
     # Templates
     def ValueList(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(64))
@@ -4087,8 +4109,243 @@ class Templates(object):
             return obj
         return None
 
+    # The row of the template on which it rests, which comes before it; -1 for none. Most rest on their parents.
+    # Templates
+    def Base(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def BaseAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Templates
+    def BaseLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def BaseIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(88))
+        return o == 0
+
+    # Cuts the own values; a parameter that neither a template nor one that it rests on names is 0 or nothing.
+    # Templates
+    def OwnStart(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def OwnStartAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Templates
+    def OwnStartLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def OwnStartIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(90))
+        return o == 0
+
+    # The parameter, as `size`; those of one template ascend and differ.
+    # Templates
+    def OwnKey(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def OwnKeyAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Templates
+    def OwnKeyLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def OwnKeyIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(92))
+        return o == 0
+
+    # A name, several parted by a blank for debris; none for what `own_list` holds, and for no name.
+    # Templates
+    def OwnText(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def OwnTextAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Templates
+    def OwnTextLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def OwnTextIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(94))
+        return o == 0
+
+    # Whose line set it: 0 for the template's own, -1 for one of the game's static.jkl, else 1 more than the position
+    # of a template in the section.
+    # Templates
+    def OwnSetter(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Int32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def OwnSetterAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Int32Flags, o)
+        return 0
+
+    # Templates
+    def OwnSetterLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def OwnSetterIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(96))
+        return o == 0
+
+    # Which list of `list_number` holds its numbers.
+    # Templates
+    def OwnList(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(98))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint32Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 4))
+        return 0
+
+    # Templates
+    def OwnListAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(98))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint32Flags, o)
+        return 0
+
+    # Templates
+    def OwnListLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(98))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Templates
+    def OwnListIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(98))
+        return o == 0
+
+    # `base`, packed.
+    # Templates
+    def BasePacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(100))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `own_start`, packed.
+    # Templates
+    def OwnStartPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(102))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `own_key`, packed.
+    # Templates
+    def OwnKeyPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(104))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `own_text`, packed.
+    # Templates
+    def OwnTextPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(106))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `own_setter`, packed.
+    # Templates
+    def OwnSetterPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(108))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
+    # `own_list`, packed.
+    # Templates
+    def OwnListPacked(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(110))
+        if o != 0:
+            x = self._tab.Indirect(o + self._tab.Pos)
+            obj = Packed()
+            obj.Init(self._tab.Bytes, x)
+            return obj
+        return None
+
 def TemplatesStart(builder):
-    builder.StartObject(42)
+    builder.StartObject(54)
 
 def TemplatesAddSource(builder, source):
     builder.PrependUOffsetTRelativeSlot(0, flatbuffers.number_types.UOffsetTFlags.py_type(source), 0)
@@ -4278,6 +4535,60 @@ def TemplatesAddUnusedKeyPacked(builder, unusedKeyPacked):
 
 def TemplatesAddUnusedValuePacked(builder, unusedValuePacked):
     builder.PrependUOffsetTRelativeSlot(41, flatbuffers.number_types.UOffsetTFlags.py_type(unusedValuePacked), 0)
+
+def TemplatesAddBase(builder, base):
+    builder.PrependUOffsetTRelativeSlot(42, flatbuffers.number_types.UOffsetTFlags.py_type(base), 0)
+
+def TemplatesStartBaseVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddOwnStart(builder, ownStart):
+    builder.PrependUOffsetTRelativeSlot(43, flatbuffers.number_types.UOffsetTFlags.py_type(ownStart), 0)
+
+def TemplatesStartOwnStartVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddOwnKey(builder, ownKey):
+    builder.PrependUOffsetTRelativeSlot(44, flatbuffers.number_types.UOffsetTFlags.py_type(ownKey), 0)
+
+def TemplatesStartOwnKeyVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddOwnText(builder, ownText):
+    builder.PrependUOffsetTRelativeSlot(45, flatbuffers.number_types.UOffsetTFlags.py_type(ownText), 0)
+
+def TemplatesStartOwnTextVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddOwnSetter(builder, ownSetter):
+    builder.PrependUOffsetTRelativeSlot(46, flatbuffers.number_types.UOffsetTFlags.py_type(ownSetter), 0)
+
+def TemplatesStartOwnSetterVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddOwnList(builder, ownList):
+    builder.PrependUOffsetTRelativeSlot(47, flatbuffers.number_types.UOffsetTFlags.py_type(ownList), 0)
+
+def TemplatesStartOwnListVector(builder, numElems):
+    return builder.StartVector(4, numElems, 4)
+
+def TemplatesAddBasePacked(builder, basePacked):
+    builder.PrependUOffsetTRelativeSlot(48, flatbuffers.number_types.UOffsetTFlags.py_type(basePacked), 0)
+
+def TemplatesAddOwnStartPacked(builder, ownStartPacked):
+    builder.PrependUOffsetTRelativeSlot(49, flatbuffers.number_types.UOffsetTFlags.py_type(ownStartPacked), 0)
+
+def TemplatesAddOwnKeyPacked(builder, ownKeyPacked):
+    builder.PrependUOffsetTRelativeSlot(50, flatbuffers.number_types.UOffsetTFlags.py_type(ownKeyPacked), 0)
+
+def TemplatesAddOwnTextPacked(builder, ownTextPacked):
+    builder.PrependUOffsetTRelativeSlot(51, flatbuffers.number_types.UOffsetTFlags.py_type(ownTextPacked), 0)
+
+def TemplatesAddOwnSetterPacked(builder, ownSetterPacked):
+    builder.PrependUOffsetTRelativeSlot(52, flatbuffers.number_types.UOffsetTFlags.py_type(ownSetterPacked), 0)
+
+def TemplatesAddOwnListPacked(builder, ownListPacked):
+    builder.PrependUOffsetTRelativeSlot(53, flatbuffers.number_types.UOffsetTFlags.py_type(ownListPacked), 0)
 
 def TemplatesEnd(builder):
     return builder.EndObject()
@@ -8173,7 +8484,9 @@ def MotionEnd(builder):
 
 
 
-# What walking bodies meet beyond the edges of floors. An edge that is not listed is level: the floor goes on.
+# What walking bodies meet beyond the edges of floors. An edge of a surface, or a part of one, that is not listed is
+# level: the floor goes on. Of a thing's edge what is not listed is the thing itself: its own faces go on, level, a step
+# up or a drop that the body takes attached, or they stop it, all of which its model tells.
 class Ledges(object):
     __slots__ = ['_tab']
 
@@ -9819,7 +10132,7 @@ def BasinsEnd(builder):
 
 
 
-# The models of the templates that are kept, as far as their files are at hand. Since 1.2.
+# The models of the templates that are kept, as far as their files are at hand. Since 1.3.
 class Models(object):
     __slots__ = ['_tab']
 
@@ -10043,7 +10356,7 @@ def ModelsEnd(builder):
 
 
 # The other files that the level was compiled from, and the names that none has: where such a file is added, the level may
-# become another. Sorted by folder and name. Since 1.2.
+# become another. Sorted by folder and name. Since 1.3.
 class Files(object):
     __slots__ = ['_tab']
 
@@ -10603,7 +10916,8 @@ class Level(object):
             return obj
         return None
 
-    # Every text of the level, each once: UTF-8, each with a zero byte behind it. Never packed.
+    # Every text of the level, each once. Without `symbols`: UTF-8, each with a zero byte behind it. With them: of each
+    # text, a byte below 128 stands for itself, 128 + k for symbol k, and 255 for the byte behind it. Never packed.
     # Level
     def Text(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(50))
@@ -10670,7 +10984,7 @@ class Level(object):
             return obj
         return None
 
-    # What bodies hover by. Since 1.2.
+    # What bodies hover by. Since 1.3.
     # Level
     def Models(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(56))
@@ -10681,7 +10995,7 @@ class Level(object):
             return obj
         return None
 
-    # What the level was compiled from beside its source. Since 1.2.
+    # What the level was compiled from beside its source. Since 1.3.
     # Level
     def Files(self):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(58))
@@ -10692,8 +11006,36 @@ class Level(object):
             return obj
         return None
 
+    # Parts of texts that repeat, at most 127: each of 1 to 255 bytes with a zero byte behind it. Never packed. Since 1.3.
+    # Level
+    def Symbols(self, j):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(60))
+        if o != 0:
+            a = self._tab.Vector(o)
+            return self._tab.Get(flatbuffers.number_types.Uint8Flags, a + flatbuffers.number_types.UOffsetTFlags.py_type(j * 1))
+        return 0
+
+    # Level
+    def SymbolsAsNumpy(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(60))
+        if o != 0:
+            return self._tab.GetVectorAsNumpy(flatbuffers.number_types.Uint8Flags, o)
+        return 0
+
+    # Level
+    def SymbolsLength(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(60))
+        if o != 0:
+            return self._tab.VectorLen(o)
+        return 0
+
+    # Level
+    def SymbolsIsNone(self):
+        o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(60))
+        return o == 0
+
 def LevelStart(builder):
-    builder.StartObject(28)
+    builder.StartObject(29)
 
 def LevelAddFormatMajor(builder, formatMajor):
     builder.PrependUint16Slot(0, formatMajor, 0)
@@ -10799,6 +11141,12 @@ def LevelAddModels(builder, models):
 
 def LevelAddFiles(builder, files):
     builder.PrependUOffsetTRelativeSlot(27, flatbuffers.number_types.UOffsetTFlags.py_type(files), 0)
+
+def LevelAddSymbols(builder, symbols):
+    builder.PrependUOffsetTRelativeSlot(28, flatbuffers.number_types.UOffsetTFlags.py_type(symbols), 0)
+
+def LevelStartSymbolsVector(builder, numElems):
+    return builder.StartVector(1, numElems, 1)
 
 def LevelEnd(builder):
     return builder.EndObject()

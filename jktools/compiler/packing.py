@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -29,10 +30,14 @@ INDICES: Mapping[str, str] = {"index8": "u1", "index16": "u2"}
 _NARROW = ("u1", "i1", "u2", "i2", "u4", "i4")
 _TABLE = 24
 """Bytes that a packed column costs beside its vectors, about: its table, the offset to it and its share of vtables."""
+_STEP = 48
+"""What a step costs beside: its double, and a vtable that only columns with a step share."""
 _VECTOR = 8
 """Bytes that a vector costs beside its numbers: its length, and about as much to the next multiple of 8."""
 _WORTH = 0.75
 """A pool is kept when it has at most this share of the bytes: it costs every reader one more step."""
+_WORTH_JOINED = 0.85
+"""Columns are joined when they then have at most this share of the bytes that they have apart."""
 _MOST_POOLED = 1 << 16
 _SHORT = 8
 """A run of at most so many numbers is written out."""
@@ -97,6 +102,8 @@ class Stored:
     def cost(self, column: Column) -> int:
         """Bytes in the file, about."""
         table = 0 if self.is_plain(column) else _TABLE
+        if self.step:
+            table += _STEP + (_VECTOR + 4 * len(self.origin) if self.origin else 0)
         return table + sum(part.nbytes + _VECTOR for part in self.vectors)
 
 
@@ -113,6 +120,11 @@ def _default(kind: str, width: int, or_none: bool) -> Array:
     return values
 
 
+def plain_array(values: Array | Stored, column: Column) -> Array:
+    """The rows of a column in its declared type."""
+    return values.array(column) if isinstance(values, Stored) else _shaped(values, column)
+
+
 def pack(values: Array, column: Column) -> Stored | None:
     """The smallest form of a column; None for one that need not be written (see `absent`)."""
     values = _shaped(values, column)
@@ -124,26 +136,53 @@ def pack(values: Array, column: Column) -> Stored | None:
 
 
 def pack_group(values: Mapping[str, Array], columns: Mapping[str, Column]) -> dict[str, Stored | None]:
-    """Columns of one group: over one pool of their rows with one index, where that is smaller than each on its own."""
+    """Columns of one group: some over one pool of their rows with one index, where that is smaller than each alone.
+
+    Which go together is found by joining the two parts that spare the most, again and again.
+    """
     alone = {name: pack(values[name], columns[name]) for name in columns}
-    joined = [name for name, stored in alone.items() if stored is not None and not stored.count]
-    if len(joined) < 2:
-        return alone
-    shaped = [_shaped(values[name], columns[name]) for name in joined]
-    found = _pool(np.concatenate([_octets(part) for part in shaped], axis=1))
+    shaped = {name: _shaped(values[name], columns[name]) for name, stored in alone.items() if stored is not None}
+    parts = [
+        _Part((name,), {name: stored}, stored.cost(columns[name]))
+        for name, stored in alone.items()
+        if stored is not None and not stored.count
+    ]
+    pairs: dict[tuple[str, ...], _Part | None] = {}
+    while len(parts) > 1:
+        found = []
+        for two in combinations(parts, 2):
+            names = two[0].names + two[1].names
+            if names not in pairs:
+                pairs[names] = _joined(names, shaped, columns)
+            joined, before = pairs[names], two[0].cost + two[1].cost
+            if joined is not None and joined.cost <= _WORTH_JOINED * before:
+                found.append((before - joined.cost, joined, two))
+        if not found:
+            break
+        _, joined, two = max(found, key=lambda each: each[0])
+        parts = [part for part in parts if part not in two] + [joined]
+    return alone | {name: stored for part in parts for name, stored in part.stored.items()}
+
+
+@dataclass(slots=True, eq=False)
+class _Part:
+    """Columns that share an index, or one."""
+
+    names: tuple[str, ...]
+    stored: Mapping[str, Stored]
+    cost: int
+
+
+def _joined(names: tuple[str, ...], shaped: Mapping[str, Array], columns: Mapping[str, Column]) -> _Part | None:
+    """Columns over one pool; None where it is too large for an index."""
+    found = _pool(np.concatenate([_octets(shaped[name]) for name in names], axis=1))
     if found is None:
-        return alone
+        return None
     first, index = found
-    together: dict[str, Stored | None] = {
-        name: Stored(_narrowed(part[first]), index) for name, part in zip(joined, shaped, strict=True)
-    }
+    together = {name: Stored(_narrowed(shaped[name][first]), index) for name in names}
     # The index is written once, since equal vectors are.
-    cost = _cost(together, columns) - (len(joined) - 1) * (index.nbytes + _VECTOR)
-    return alone | together if cost <= _WORTH * _cost({name: alone[name] for name in joined}, columns) else alone
-
-
-def _cost(stored: Mapping[str, Stored | None], columns: Mapping[str, Column]) -> int:
-    return sum(each.cost(columns[name]) for name, each in stored.items() if each is not None)
+    cost = sum(stored.cost(columns[name]) for name, stored in together.items())
+    return _Part(names, together, cost - (len(names) - 1) * (index.nbytes + _VECTOR))
 
 
 def _shaped(values: Array, column: Column) -> Array:

@@ -15,7 +15,8 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.compiler.columns import RESOURCES
-from jktools.compiler.reader import CompiledLevel, Section
+from jktools.compiler.reader import CompiledLevel
+from jktools.compiler.section import Section
 
 Translate = Callable[[str, int], Hashable]
 """From a kind of record and a number of the one level to the same of the other; what has none stays apart."""
@@ -148,7 +149,7 @@ def _templates(level: CompiledLevel, section: Section) -> Records:
     names, source = _texts(level, section.name), section.source.tolist()
     owner = dict(zip(source, names, strict=True))
     fields = {"parent": Field(_texts(level, section.parent))}
-    if "value_start" in section.stored:
+    if hasattr(section, "value_start"):
         numbers = _parts(section.number_start, section.number.tolist())
         values = [
             (key, text or numbers[i], owner.get(setter, setter))

@@ -13,12 +13,13 @@ import numpy.typing as npt
 from jktools.compiler.columns import RESOURCES
 from jktools.compiler.cut import Omission, choose, choose_names
 from jktools.compiler.grid import counted, grid_of
+from jktools.compiler.inheritance import NO_BASE, Value, Values, bases, own_columns
 from jktools.compiler.packing import Stored
 from jktools.compiler.settings import CompileSettings
 from jktools.facts import LevelFacts
 from jktools.geometry import compressed
 from jktools.model import Level
-from jktools.model.templates import Resolved, Setting
+from jktools.model.resolved import Resolved, Setting
 from jktools.syntax.jkl import Parameters
 from jktools.syntax.template.parameters import MOVES, PARAMETERS, TYPES
 from jktools.syntax.template.values import ValueKind
@@ -26,6 +27,7 @@ from jktools.syntax.template.values import ValueKind
 Columns = Mapping[str, npt.NDArray[Any] | Stored]
 """Columns by name; what is stored is written so, the rest in its smallest form."""
 Rows = npt.NDArray[np.intp]
+ENTRY = np.dtype(np.float64).itemsize
 
 
 DIGEST = hashlib.sha256().digest_size
@@ -66,9 +68,10 @@ class Strings:
 
 
 def parameter_keys(level: Level) -> Iterable[str]:
-    """The parameters that some template or thing of the level sets, in the order of docs/parameters.md."""
+    """The parameters that some template or thing of the level has, in the order of docs/parameters.md."""
     document = level.document
     used = {key.lower() for each in (document.templates, document.things) for key in each.parameters.keys}
+    used.update(key for i in range(len(level.templates)) for key in level.resolved_templates[i].values)
     return (key for key in PARAMETERS if key in used)
 
 
@@ -140,35 +143,44 @@ def templates(facts: LevelFacts, strings: Strings, settings: CompileSettings) ->
         "source": kept,
         "name": strings.indices(table.names[i] for i in kept),
         "parent": strings.indices(table.parents[i] for i in kept),
-        **_resolved(level, [level.resolved_templates[i] for i in kept.tolist()], strings),
+        **_resolved(level, [level.resolved_templates[i] for i in kept.tolist()], strings, rest=not settings.plain),
     }
     return Cut(columns, chosen.note, chosen.omissions)
 
 
-def _resolved(level: Level, held: Sequence[Resolved], strings: Strings) -> Columns:
-    settings = [[(key, each.values[key]) for key in PARAMETERS if key in each.values] for each in held]
-    flat = [item for each in settings for item in each]
-    owners = [setting.origins[0].owner for _, setting in flat]
-    numbers = [np.array(_numbers(setting.value), np.float64) for _, setting in flat]
-    # By their bytes, which tell 0 from -0.
-    lists = {each.tobytes(): each for each in numbers}
-    places = {key: place for place, key in enumerate(lists)}
+def _resolved(level: Level, held: Sequence[Resolved], strings: Strings, *, rest: bool) -> Columns:
+    """What templates hold: with `rest` only what differs from the templates that they rest on."""
+    lists: dict[bytes, int] = {}
+    values = [_values(level, each, strings, lists) for each in held]
+    rows = {id(each): row for row, each in enumerate(held)}
+    base = bases(values, [rows.get(id(each.parent), NO_BASE) if rest else NO_BASE for each in held])
     unused = [_unused(each) for each in held]
     return {
         "type": np.array([TYPES.index(each.type) for each in held]),
         "move": np.array([MOVES.index(each.move) for each in held]),
         "has_ai": np.array([each.has_ai for each in held]),
-        "value_start": _starts([len(each) for each in settings]),
-        "value_key": strings.indices(key for key, _ in flat),
-        "value_text": np.array([_name(setting, strings) for _, setting in flat]),
-        "value_source": np.array([owner.index if owner.level is level else -1 for owner in owners]),
-        "value_list": np.array([places[each.tobytes()] for each in numbers], np.uint32),
-        "list_start": _starts([len(each) for each in lists.values()]),
-        "list_number": np.concatenate([np.zeros(0), *lists.values()]),
+        "list_start": _starts([len(each) // ENTRY for each in lists]),
+        "list_number": np.frombuffer(b"".join(lists), np.float64),
         "unused_start": _starts([len(each) for each in unused]),
         "unused_key": strings.indices(key for each in unused for key, _ in each),
         "unused_value": strings.indices(value for each in unused for _, value in each),
+        **own_columns(values, [each.owner.index for each in held], base),
     }
+
+
+def _values(level: Level, held: Resolved, strings: Strings, lists: dict[bytes, int]) -> Values:
+    """What a template holds; each list of numbers gets a place in `lists`, by its bytes, which tell 0 from -0."""
+    found = {}
+    for key in PARAMETERS:
+        setting = held.values.get(key)
+        if setting is None:
+            continue
+        numbers = np.array(_numbers(setting.value), np.float64).tobytes()
+        owner = setting.origins[0].owner
+        (name,) = strings.indices([key]).tolist()
+        place = lists.setdefault(numbers, len(lists))
+        found[name] = Value(_name(setting, strings), owner.index if owner.level is level else -1, place)
+    return found
 
 
 def _unused(held: Resolved) -> list[tuple[str, str]]:

@@ -21,3 +21,6 @@ class CompileSettings:
     """When a pass fails, leave out its section and compile the rest."""
     cut_anyway: bool = False
     """Leave out templates that nothing is known to reach, though not all COGs are at hand to tell."""
+    plain: bool = False
+    """Write every column as its plain vector, every text as it is and every template with all its values: larger, for
+    readers that take nothing but arrays."""

@@ -9,7 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.compiler.columns import SECTIONS
-from jktools.compiler.reader import CompiledLevel, Section
+from jktools.compiler.reader import CompiledLevel
+from jktools.compiler.section import Section
 from jktools.engine.light import light_on_vertices
 from jktools.geometry import Accuracy
 

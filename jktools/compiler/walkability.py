@@ -18,12 +18,15 @@ from jktools.facts.ledges import Kind, Ledges
 
 NARROW, AI_STOPS = 0x1, 0x2
 
+STAYS_ON = (Kind.LEVEL, Kind.SEAMLESS, Kind.STEP, Kind.LIP, Kind.JUMP, Kind.WALL)
+"""Kinds beyond which a body is still on the thing if it is on that thing's faces; FALL and UNKNOWN are not."""
+
 NO_BODY = "no actor or player template that sticks to floors is reachable"
 NO_FLOOR = "the level has no floor"
 
 
 def ledges(facts: LevelFacts, strings: Strings, settings: CompileSettings) -> Columns | NotNeeded:
-    """Each body's intervals of edges, without those that are level."""
+    """Each body's intervals of edges, as far as they are listed (see `_kept`)."""
     why_not = _nothing(facts)
     if why_not:
         return NotNeeded(why_not)
@@ -63,8 +66,14 @@ def basins(facts: LevelFacts, _: Strings, settings: CompileSettings) -> Columns 
 
 
 def _kept(found: Ledges) -> npt.NDArray[np.intp]:
-    """The rows that are not level, by their surfaces: those of things, which have none (-1), come first."""
-    rows = np.flatnonzero(found.kind != Kind.LEVEL)
+    """The rows that are listed, by their surfaces: those of things, which have none (-1), come first.
+
+    Not listed are level ones, and those of a thing's edges beyond which its own faces go on or stop the body: that
+    follows from its model alone, and nobody comes off it there.
+    """
+    own = (found.carrier_thing >= 0) & (found.onto == found.carrier_thing)
+    stays = own & np.isin(found.kind, STAYS_ON) & np.isin(found.other, STAYS_ON)
+    rows = np.flatnonzero((found.kind != Kind.LEVEL) & ~stays)
     return rows[np.argsort(found.surface[rows], kind="stable")]
 
 

@@ -88,11 +88,15 @@ class Leave(NamedTuple):
     drop: float
     """JKU down from the edge there, the nearest double: negative for up, NaN for none and unknown."""
     ledge: Ledge
-    """What it comes onto; where the edge is level, from the ledge before to the one after."""
+    """What it comes onto; where none is listed, from the ledge before to the one after."""
 
     @property
     def kind(self) -> int:
-        """LEVEL where the body stays or the floor goes on, UNKNOWN where the file does not say."""
+        """LEVEL where the body stays or the floor goes on, UNKNOWN where the file does not say.
+
+        Over an edge of a thing LEVEL comes with a drop of NaN, since also the thing's own faces may go on there or stop
+        the body, which its model tells.
+        """
         return self.ledge.kind
 
     @property
@@ -174,9 +178,10 @@ class Walking:
         for each in edge:
             if each.holds(found.place):
                 return Leave(found.corner, found.along, found.place, each.drop(found.place), each)
+        goes_on = _STAYS if isinstance(floor, int) else _STAYS._replace(drop_start=math.nan, drop_end=math.nan)
         start = max((each.end for each in edge if each.end < found.place), default=0.0)
         end = min((each.start for each in edge if each.start > found.place), default=1.0)
-        return Leave(found.corner, found.along, found.place, 0.0, _STAYS._replace(start=start, end=end))
+        return Leave(found.corner, found.along, found.place, goes_on.drop_start, goes_on._replace(start=start, end=end))
 
     def basins_of(self, body: int) -> Iterator[Basin]:
         """The basins of a body."""

@@ -17,11 +17,13 @@ from jktools.compiler.columns import OMISSION, SECTIONS, TEXT, Column, camel_cas
 from jktools.compiler.cut import Omission
 from jktools.compiler.errors import CompiledFileError, CompileError
 from jktools.compiler.grid import grid_of, on_grid
-from jktools.compiler.packing import VECTORS, Stored, pack, pack_group
+from jktools.compiler.mapping import IDENTIFIER
+from jktools.compiler.packing import VECTORS, Stored, pack, pack_group, plain_array
 from jktools.compiler.passes import Outcome, Progress, run
 from jktools.compiler.reader import ALIGNMENT, FORMAT_MAJOR, FORMAT_MINOR, CompiledLevel
 from jktools.compiler.sections import Columns, Strings, parameter_keys
 from jktools.compiler.settings import CompileSettings
+from jktools.compiler.text import written
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
 from jktools.model import Level
@@ -100,7 +102,9 @@ def _refuse_broken(level: Level) -> None:
 
 
 def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcomes: Mapping[str, Outcome]) -> bytes:
-    file = _File()
+    grid = grid_of(level)
+    step = grid.step if grid else 0.0
+    file = _File(plain=settings.plain)
     builder = file.builder
     offsets: dict[str, int] = {}
     for name, outcome in outcomes.items():
@@ -115,7 +119,8 @@ def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcome
     offsets["settings"] = _table(
         builder, "Settings",
         game=builder.CreateString(level.game), engine=builder.CreateString(settings.engine),
-        accuracy=builder.CreateString(settings.accuracy), cut_anyway=settings.cut_anyway,
+        accuracy=builder.CreateString(settings.accuracy), cut_anyway=settings.cut_anyway, plain=settings.plain,
+        vertex_step=step,
         **{
             name: _strings(builder, sorted(passes))
             for name, passes in (("only", settings.only), ("skip", settings.skip))
@@ -126,14 +131,16 @@ def _assemble(level: Level, settings: CompileSettings, strings: Strings, outcome
     offsets["checksum"] = file.vector(np.zeros(hashlib.sha256().digest_size, np.uint8), shared=False)
     offsets["tool_version"] = builder.CreateString(__version__)
     root = _table(builder, "Level", format_major=FORMAT_MAJOR, format_minor=FORMAT_MINOR, **offsets)
-    builder.Finish(root, b"JKLB")
+    builder.Finish(root, IDENTIFIER)
     return seal(builder.Output())
 
 
 class _File:
     """A file being written: vectors of the same bytes are written once."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, plain: bool) -> None:
+        self.plain = plain
+        """Whether every column is its plain vector."""
         self.builder = flatbuffers.Builder(FIRST_GUESS)
         self._written: dict[tuple[int, bytes], int] = {}
 
@@ -151,7 +158,13 @@ class _File:
         return offset
 
     def columns(self, values: Columns, columns: Mapping[str, Column]) -> dict[str, int]:
-        """Write columns in their smallest forms: the offset of each by its field."""
+        """Write columns in their smallest forms, or as plain vectors: the offset of each by its field."""
+        if self.plain:
+            return {
+                name: self.vector(plain_array(values[name], column))
+                for name, column in columns.items()
+                if column.until is None
+            }
         stored: dict[str, Stored | None] = {}
         for name, column in columns.items():
             if column.until is not None or name in stored:
@@ -206,14 +219,18 @@ def _strings(builder: flatbuffers.Builder, texts: Sequence[str]) -> int:
 
 
 def _text(file: _File, texts: Sequence[str]) -> dict[str, int]:
-    """Every string with a zero byte behind it, one after the other."""
-    octets = [text.encode() + b"\0" for text in texts]
+    """Every string, one after the other: by symbols, or as it is with a zero byte behind it."""
+    octets = [text.encode() for text in texts]
+    octets, symbols = ([each + b"\0" for each in octets], []) if file.plain else written(octets)
     start = np.concatenate([[0], np.cumsum([len(each) for each in octets], dtype=np.int64)])
-    return {
+    fields = {
         "strings": _offsets(file.builder, []),
         "text": file.vector(np.frombuffer(b"".join(octets), np.uint8)),
         **file.columns({"text_start": start}, {"text_start": TEXT["text_start"]}),
     }
+    if symbols:
+        fields["symbols"] = file.vector(np.frombuffer(b"".join(each + b"\0" for each in symbols), np.uint8))
+    return fields
 
 
 def _inputs(file: _File, level: Level) -> int:

@@ -14,3 +14,8 @@ def numbered(count: int, one: str, many: str | None = None) -> str:
 def counted(count: int, one: str, many: str | None = None) -> str:
     """A number of things: `1 joint`, `2 joints`."""
     return f"{count} {one if count == 1 else many or f'{one}s'}"
+
+
+def miscounted(announced: int, kinds: str, found: int) -> str:
+    """That a heading is wrong: `the heading announces 3 vertices, but 1 follows`."""
+    return f"the heading announces {announced} {kinds}, but {found} follow{'s' * (found == 1)}"

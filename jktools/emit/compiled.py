@@ -66,12 +66,16 @@ def _inputs(level: CompiledLevel, *, whole: bool) -> Iterator[str]:
     if level.files is None:
         return
     if not whole:
-        yield f"  and from {len(others)} other files; {len(missing)} more were looked for and not found (--inputs)"
+        yield f"  and from {_counted(others)}; {len(missing)} more looked for and not found (--inputs)"
         return
-    yield f"  and from {len(others)} other files:"
+    yield f"  and from {_counted(others)}:"
     yield from (f"    {digest}  {printable(path)}" for path, digest in others)
-    yield f"  and {len(missing)} that were looked for and not found:"
+    yield f"  and {len(missing)} more looked for and not found:"
     yield from (f"    {printable(path)}" for path in missing)
+
+
+def _counted(others: Sequence[object]) -> str:
+    return f"{len(others)} other file" + ("" if len(others) == 1 else "s")
 
 
 def _state(state: Mapping[str, Any]) -> str:

@@ -10,7 +10,7 @@ from jktools.emit.json import VERSION, dump
 from jktools.facts import LevelFacts
 from jktools.facts.reachability import Reach
 from jktools.model import Level, Template, Thing
-from jktools.model.templates import Ignored, Origin, Reason, Resolved, Setting
+from jktools.model.resolved import Ignored, Origin, Reason, Resolved, Setting
 from jktools.model.wanted import wanted_value
 from jktools.syntax.template.parameters import PARAMETERS
 from jktools.syntax.template.values import ValueKind

@@ -18,7 +18,7 @@ from jktools.engine.reattach import reattach_distance
 from jktools.facts.motion import Held, body_of
 from jktools.model import Level
 from jktools.model.insert_offset import insert_offset
-from jktools.model.templates import Resolved
+from jktools.model.resolved import Resolved
 
 FULL_HEALTH = 100.0
 """Points of a player who starts; shields and actors' own health are not looked at."""

@@ -25,8 +25,8 @@ import numpy as np
 
 from jktools.facts.lights import may_shine
 from jktools.model import Level
+from jktools.model.resolved import Resolved
 from jktools.model.resources import Kind
-from jktools.model.templates import Resolved
 from jktools.syntax.assets.material import Material
 
 Point = tuple[float, float, float]
@@ -58,6 +58,7 @@ class Frame(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class _Portal:
+    number: int
     behind: int
     normal: Point
     corners: tuple[Point, ...]
@@ -98,7 +99,7 @@ class Camera:
         if int(level.document.adjoins.flags[adjoin]) & VISIBLE:
             self.beside[sector].append(behind)
             if clear or not drawn:
-                self.portals[sector].append(_Portal(behind, normal, corners))
+                self.portals[sector].append(_Portal(index, behind, normal, corners))
 
     def _has_holes(self, material: int) -> bool:
         if not 0 <= material < len(self.level.materials):
@@ -112,14 +113,20 @@ class Camera:
         sine, cosine = math.sin(turn), math.cos(turn)
         seen = {sector}
         pending: list[tuple[int, Rectangle, frozenset[int]]] = [(sector, SCREEN, frozenset((sector,)))]
+        shapes: dict[int, _Shape | None] = {}  # a frame comes by an adjoin on many ways
         steps = 0
         while pending and steps < MOST_STEPS:
             here, window, way = pending.pop()
             for portal in self.portals[here]:
-                if portal.behind in way or not _faces(portal.normal, portal.corners[0], eye):
+                if portal.behind in way:
+                    continue
+                if portal.number not in shapes:
+                    shapes[portal.number] = _shape(portal, eye, sine, cosine)
+                shape = shapes[portal.number]
+                if shape is None:
                     continue
                 steps += 1
-                left = _window([_turned(corner, eye, sine, cosine) for corner in portal.corners], window)
+                left = _window(shape, window)
                 if left is not None:
                     seen.add(portal.behind)
                     pending.append((portal.behind, left, way | {portal.behind}))
@@ -155,32 +162,64 @@ def _turned(point: Point, eye: Point, sine: float, cosine: float) -> Point:
     return x * cosine + y * sine, y * cosine - x * sine, point[2] - eye[2]
 
 
-def _window(corners: list[Point], window: Rectangle) -> Rectangle | None:
-    """The rectangle around what is left of a polygon in a window; None for nothing."""
-    left, right, bottom, top = window
-    planes = (
-        (0.0, 1.0, 0.0, NEAR),
-        (1.0, -left, 0.0, 0.0),
-        (-1.0, right, 0.0, 0.0),
-        (0.0, -bottom, 1.0, 0.0),
-        (0.0, top, -1.0, 0.0),
-    )
-    for a, b, c, least in planes:
-        corners = _clipped(corners, a, b, c, least)
-        if len(corners) < 3:
-            return None
+class _Shape(NamedTuple):
+    """An adjoin as the camera sees it, and the rectangle around it; of nothing, one that overlaps no window."""
+
+    corners: list[Point]
+    around: Rectangle
+
+
+_NOTHING = _Shape([], (math.inf, -math.inf, math.inf, -math.inf))
+
+
+def _shape(portal: _Portal, eye: Point, sine: float, cosine: float) -> _Shape | None:
+    """What of an adjoin lies before the camera; None for one that looks away."""
+    if not _faces(portal.normal, portal.corners[0], eye):
+        return None
+    return _before([_turned(corner, eye, sine, cosine) for corner in portal.corners])
+
+
+def _before(corners: list[Point]) -> _Shape:
+    corners = _clipped(corners, [y - NEAR for _, y, _ in corners])
+    return _Shape(corners, _around(corners)) if len(corners) >= 3 else _NOTHING
+
+
+def _around(corners: list[Point]) -> Rectangle:
     across = [x / y for x, y, _ in corners]
     up = [z / y for _, y, z in corners]
-    left, right, bottom, top = min(across), max(across), min(up), max(up)
-    return (left, right, bottom, top) if right - left >= PIXEL and top - bottom >= PIXEL else None
+    return min(across), max(across), min(up), max(up)
 
 
-def _clipped(corners: list[Point], a: float, b: float, c: float, least: float) -> list[Point]:
-    """What of a polygon lies where a x + b y + c z is at least so much."""
-    sides = [a * x + b * y + c * z - least for x, y, z in corners]
+def _window(shape: _Shape, window: Rectangle) -> Rectangle | None:
+    """The rectangle around what is left of an adjoin in a window; None for nothing."""
+    left, right, bottom, top = window
+    least_x, most_x, least_z, most_z = around = shape.around
+    if most_x < left or least_x > right or most_z < bottom or least_z > top:
+        return None
+    if least_x < left or most_x > right or least_z < bottom or most_z > top:
+        corners = _inside(shape.corners, window)
+        if len(corners) < 3:
+            return None
+        around = _around(corners)
+    left, right, bottom, top = around
+    return around if right - left >= PIXEL and top - bottom >= PIXEL else None
+
+
+def _inside(corners: list[Point], window: Rectangle) -> list[Point]:
+    left, right, bottom, top = window
+    corners = _clipped(corners, [x - left * y for x, y, _ in corners])
+    corners = _clipped(corners, [right * y - x for x, y, _ in corners])
+    corners = _clipped(corners, [z - bottom * y for _, y, z in corners])
+    return _clipped(corners, [top * y - z for _, y, z in corners])
+
+
+def _clipped(corners: list[Point], sides: list[float]) -> list[Point]:
+    """What of a polygon lies on the inner side of a plane: `sides` tells how far inside each corner is."""
+    if len(corners) < 3 or max(sides) < 0:
+        return []
     if min(sides) >= 0:
         return corners
-    found = []
+    found: list[Point] = []
     for i, (point, side) in enumerate(zip(corners, sides, strict=True)):
         before, other = corners[i - 1], sides[i - 1]
         if (side > 0 > other) or (side < 0 < other):

@@ -15,7 +15,7 @@ import numpy as np
 from jktools.engine.light import light_on_vertices, reach
 from jktools.geometry.validity import Float64, Int32
 from jktools.model import Level, Thing
-from jktools.model.templates import Resolved
+from jktools.model.resolved import Resolved
 
 STILL = "none"
 SHINES = 0x1

@@ -26,7 +26,7 @@ from jktools.engine.profile import Engine
 from jktools.engine.simulation import SCHEME_OF
 from jktools.engine.thrust import Keys, Support, actor_acceleration, capped, player_thrust, thrust_acceleration
 from jktools.model import Level
-from jktools.model.templates import Resolved
+from jktools.model.resolved import Resolved
 
 BODIES = ("actor", "player")
 FPS = 50.0
@@ -35,6 +35,9 @@ FPS_RANGE = (10.0, 20.0, 30.0, 50.0, 60.0, 75.0, 100.0, 120.0)
 LONGEST_STOP = 60.0
 """Seconds after which a body that still moves never stops."""
 FORWARD = (0.0, 1.0, 0.0)
+TAKES_FLOORS = PhysicsFlag.FLOOR_STICK | PhysicsFlag.WALL_STICK
+"""Without either no floor ever holds a body: it does not walk, stop or jump."""
+ON_FLOORS = ("walk", "back", "strafe", "run", "crouch")
 
 
 class Interval(NamedTuple):
@@ -64,7 +67,7 @@ class Motion(NamedTuple):
     run: float
     crouch: float
     air: float
-    """Speed that held keys reach in the air; an AI does not steer there."""
+    """Speed that held keys reach in the air; an AI does not steer there unless it flies."""
     swim: float
     stop_walk: Interval
     """Way from a walk to rest."""
@@ -167,8 +170,8 @@ def motions(
             each["swim"],
             stop_walk,
             stop_run,
-            walk.height,
-            crouch.height if body.player else NO_WAY,
+            walk.height if body.physflags & TAKES_FLOORS else NO_WAY,
+            crouch.height if body.player and body.physflags & TAKES_FLOORS else NO_WAY,
             walk.reach,
             run.reach,
         )
@@ -179,8 +182,11 @@ def motions(
 
 
 def _speeds(body: Body, engine: Engine) -> dict[str, float]:
-    if not body.player:
-        return _actor_speeds(body, engine)
+    found = _player_speeds(body, engine) if body.player else _actor_speeds(body, engine)
+    return found if body.physflags & TAKES_FLOORS else found | dict.fromkeys(ON_FLOORS, math.nan)
+
+
+def _player_speeds(body: Body, engine: Engine) -> dict[str, float]:
     gaits = {
         "walk": Keys(forward=1.0),
         "back": Keys(forward=-1.0),
@@ -215,7 +221,10 @@ def _actor_speeds(body: Body, engine: Engine) -> dict[str, float]:
     """
     thrust = float(np.linalg.norm(actor_acceleration(body, FORWARD)))
     found = dict.fromkeys(("run", "crouch", "air"), math.nan)
-    for gaits, support in ((("walk", "back", "strafe"), Support.SURFACE), (("swim",), Support.WATER)):
+    ways = {Support.SURFACE: ("walk", "back", "strafe"), Support.WATER: ("swim",)}
+    if body.physflags & PhysicsFlag.FLIES:
+        ways[Support.AIR] = ("air",)
+    for support, gaits in ways.items():
         pull = drag.coefficients(body, support, thrusting=True, engine=engine)
         speed = float(integration.steady_speed(thrust, pull.drag))
         if engine is Engine.OPENJKDF2:

@@ -8,7 +8,7 @@ import numpy as np
 
 from jktools.geometry.validity import Float64
 from jktools.model import Level, Thing
-from jktools.model.templates import Origin
+from jktools.model.resolved import Origin
 from jktools.syntax.template.parameters import Scope
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from jktools.model import Level
-from jktools.model.templates import Origin, Resolved
+from jktools.model.resolved import Origin, Resolved
 
 
 def templates_and_things(level: Level) -> Iterator[Resolved]:

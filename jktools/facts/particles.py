@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 from jktools.engine.particle_template import MATERIAL_CELS, ParticleTemplate
 from jktools.model import Level
+from jktools.model.resolved import Resolved
 from jktools.model.resources import Kind
-from jktools.model.templates import Resolved
 from jktools.syntax.assets.cloud import Cloud as CloudFile
 
 PARTICLE = "particle"

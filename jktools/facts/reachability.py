@@ -20,8 +20,9 @@ from typing import NamedTuple
 
 from jktools.facts.script import ScriptFacts
 from jktools.model import Cog, Level
+from jktools.model.resolved import Resolved
 from jktools.model.resources import Kind
-from jktools.model.templates import NONE, Resolved
+from jktools.model.template_record import NONE
 from jktools.source import InputError
 from jktools.syntax.assets.reading import read_asset
 from jktools.syntax.cog.nodes import String

@@ -49,9 +49,9 @@ def endpoint(level: Level, mesh: SectorMesh, text: str) -> Endpoint:
     table = level.document.things
     places = np.flatnonzero(table.number == (int(text) if text.isdecimal() else -1))
     if not len(places):
-        raise (NoThingError if re.fullmatch(r"-?[0-9]+", text) else EndpointError)(
-            f"{text} is neither the number of a thing nor x,y,z"
-        )
+        if re.fullmatch(r"-?[0-9]+", text):
+            raise NoThingError(f"the level has no thing with number {text}")
+        raise EndpointError(f"{text} is neither the number of a thing nor x,y,z")
     thing = level.things[int(places[0])]
     if thing.dropped is not None or not np.isfinite(thing.position).all():
         raise NoThingError(f"{thing.title} is not in the level: {thing.dropped or 'it has no position'}")
@@ -62,9 +62,11 @@ def endpoint(level: Level, mesh: SectorMesh, text: str) -> Endpoint:
 def _point(mesh: SectorMesh, text: str) -> Endpoint:
     try:
         x, y, z = (float(part) for part in text.split(","))
-        sector = int(mesh.locate([[x, y, z]])[0])
-    except ValueError as error:
-        raise EndpointError(f"{text} is not a point x,y,z: {error}") from error
+    except ValueError:
+        raise EndpointError(f"{text} is not a point x,y,z: expected three numbers") from None
+    if not np.isfinite((x, y, z)).all():
+        raise EndpointError(f"{text} is not a point x,y,z: a number is not finite")
+    sector = int(mesh.locate([[x, y, z]])[0])
     return Endpoint(f"({x:g}, {y:g}, {z:g})", (x, y, z), sector)
 
 

@@ -20,7 +20,7 @@ from jktools.facts.hotspots.runners import Runner, class_name
 from jktools.facts.reachability import Reach
 from jktools.model import Level, Thing
 from jktools.model.cog.verbs import Verb
-from jktools.model.templates import Resolved
+from jktools.model.resolved import Resolved
 from jktools.syntax.template.parameters import TYPES
 
 STILL_TYPES = frozenset({"cog", "ghost", "camera"})

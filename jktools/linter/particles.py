@@ -8,7 +8,7 @@ from jktools.facts.particles import PARTICLE, Cloud, own_clouds
 from jktools.facts.reachability import Reach
 from jktools.model import Level
 from jktools.model.objects import Template
-from jktools.model.templates import Resolved
+from jktools.model.resolved import Resolved
 
 Fault = Callable[[Cloud], "str | None"]
 """Which parameter is at fault; None for a sound cloud."""

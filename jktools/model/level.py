@@ -8,8 +8,9 @@ import numpy as np
 
 from jktools.diagnostics import Diagnostic
 from jktools.model.objects import Cog, Template, Thing
+from jktools.model.resolved import Resolved
 from jktools.model.resources import Resources
-from jktools.model.templates import Resolved, TemplateSet
+from jktools.model.templates import TemplateSet
 from jktools.model.views import Adjoin, Records, Sector, Surface
 from jktools.source import InputError, Source, Span
 from jktools.syntax.jkl import Document, Header, read

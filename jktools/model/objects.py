@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from jktools.model.templates import Resolved
+from jktools.model.resolved import Resolved
 from jktools.model.views import Sector, View, optional
 from jktools.source import Span
 from jktools.syntax.jkl import Parameters, Table, records

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from jktools.model.templates import Ignored
+from jktools.model.resolved import Ignored
 from jktools.syntax.template.parameters import PARAMETERS
 from jktools.syntax.template.values import ValueKind, scan
 

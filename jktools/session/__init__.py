@@ -1,6 +1,8 @@
 """The calls that Python and the command line share."""
 
-from jktools.session.batch import Batch, Built, build_all, check
+from jktools.session.building import build_all
+from jktools.session.checking import Batch, check
+from jktools.session.compiling import Built
 from jktools.session.config import Config, ConfigError, find_config, load_config
 from jktools.session.levels import build, discover, game_of, load, mesh
 from jktools.session.linting import lint

@@ -12,7 +12,7 @@ from jktools import __version__
 from jktools.diagnostics.baseline import Known, compare, known_of
 from jktools.emit.json import dump
 from jktools.linter import Selection, select
-from jktools.session.batch import Batch
+from jktools.session.checking import Batch
 from jktools.session.settings import Settings
 from jktools.session.write import write_report
 from jktools.source import InputError

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import get_args
 
 from jktools.compiler import CompiledFileError, CompiledLevel, CompileSettings, compile_level, open_compiled
+from jktools.compiler.mapping import is_compiled
 from jktools.engine.profile import Engine
 from jktools.geometry import Accuracy
 from jktools.session.levels import load
-from jktools.session.opening import is_compiled
 from jktools.session.settings import Game
 
 
@@ -49,5 +49,6 @@ def settings_of(level: CompiledLevel) -> CompileSettings:
         told = ", ".join(f"{key} {value}" for key, value in recorded.items())
         raise CompiledFileError(f"cannot compile again as {level.path} was, for {told}: use the jktools that wrote it")
     return CompileSettings(
-        recorded["engine"], accuracy, frozenset(level.only), frozenset(level.skip), cut_anyway=level.cut_anyway
-    )
+        recorded["engine"], accuracy, frozenset(level.only), frozenset(level.skip), cut_anyway=level.cut_anyway,
+        plain=level.plain,
+    )  # fmt: skip

@@ -41,7 +41,7 @@ from jktools.linter import Options, UnknownRuleError, find_rule
 from jktools.model.cog.verbs import Kind, Result, Verb, verb_from
 from jktools.session.settings import Game, Ignore, Settings
 from jktools.source import InputError, Source
-from jktools.source.container import describe
+from jktools.source.container import describe, describe_bytes
 from jktools.source.path import on_disk
 
 FILE_NAME = "jktools.toml"
@@ -126,7 +126,9 @@ def load_config(path: Path) -> Config:
         parsed = tomllib.loads(data.decode())
     except OSError as error:
         raise ConfigError(f"cannot read {path}: {describe(error)}") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except UnicodeDecodeError as error:
+        raise ConfigError(f"cannot read {path}: {describe_bytes(error)}") from error
+    except tomllib.TOMLDecodeError as error:
         raise ConfigError(f"cannot read {path}: {error}") from error
     if path.name == PROJECT_FILE:
         parsed = parsed.get("tool", {}).get("jktools", {})

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import get_args
 
 from jktools.compiler import CompileSettings, compile_level
+from jktools.compiler.mapping import is_compiled
 from jktools.geometry import Accuracy, SectorMesh
 from jktools.model import Level
 from jktools.model.resources import Kind, Library
@@ -43,6 +44,8 @@ def discover(typed: str, problems: list[str] | None = None, extensions: Collecti
     if problems is None and inside:
         raise InputError(inside[0])
     if not levels and not inside:
+        if is_compiled(typed):
+            raise InputError(f"cannot read {typed} as a source: it is a compiled level; name what it was compiled from")
         kinds = ", ".join(_KINDS[extension] for extension in extensions if extension in _KINDS)
         raise InputError(f"nothing to read in {typed}: expected {kinds} or a folder or pack that holds one")
     if problems is not None:
@@ -106,18 +109,23 @@ def load(path: str, base: Sequence[str] = (), game: Game | None = None) -> Level
 
 
 def build(
-    level: Level, accuracy: Accuracy = "balanced", engine: str = "research", *, cut_anyway: bool = False
+    level: Level,
+    accuracy: Accuracy = "balanced",
+    engine: str = "research",
+    *,
+    cut_anyway: bool = False,
+    plain: bool = False,
 ) -> bytes:
     """Compile a level, as `jktools build` does, and give the bytes of the file.
 
     `accuracy` is `fast`, `balanced` or `exact`: that of what is computed; `fast` also moves vertices onto a grid
     (docs/format.md tells how far). `cut_anyway` leaves out templates that nothing is known to reach, though COGs are
-    missing that might tell otherwise. Raises CompileError for a level that the engine would refuse, ValueError for
-    another accuracy.
+    missing that might tell otherwise. `plain` writes nothing but plain vectors, which take more bytes. Raises
+    CompileError for a level that the engine would refuse, ValueError for another accuracy.
     """
     if accuracy not in ACCURACIES:
         raise ValueError(f"accuracy is {accuracy!r}, but can be {', '.join(ACCURACIES)}")
-    return compile_level(level, CompileSettings(engine, accuracy, cut_anyway=cut_anyway))
+    return compile_level(level, CompileSettings(engine, accuracy, cut_anyway=cut_anyway, plain=plain))
 
 
 def mesh(level: Level) -> SectorMesh:

@@ -3,27 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 
 from jktools.compiler import CompiledLevel, open_compiled
-from jktools.compiler.reader import IDENTIFIER
+from jktools.compiler.mapping import is_compiled
 from jktools.model import Level
 from jktools.session.levels import load
 from jktools.session.settings import Game
-from jktools.session.targets import COMPILED_SUFFIX
 from jktools.source import InputError
-
-
-def is_compiled(path: str) -> bool:
-    """Whether a path names a compiled level: by its ending, or by the mark in its first bytes."""
-    file = Path(path)
-    if file.suffix.lower() == COMPILED_SUFFIX:
-        return True
-    try:
-        with file.open("rb") as stream:
-            return stream.read(8)[4:] == IDENTIFIER
-    except OSError:
-        return False
 
 
 def open_level(path: str, base: Sequence[str] = (), game: Game | None = None) -> Level | CompiledLevel:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
-from jktools.session.batch import Progress, silent
+from jktools.session.progress import Progress, silent
 from jktools.session.write import write_atomically, write_parts
 from jktools.source import Container, Folder, InputError, Member, resolve
 from jktools.source.container import canonical
@@ -114,6 +114,8 @@ def create(out: Path, typed: str) -> tuple[int, int]:
 
     The same files give the same bytes; what is in the folder under the GOB's own path is left out. Raises InputError.
     """
+    if out.suffix.lower() == ".zip":
+        raise InputError(f"cannot write {out}: it would be a GOB, but is named as a zip")
     container = open_container(typed)
     if isinstance(container, Folder):
         container = _Without(container, out)

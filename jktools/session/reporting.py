@@ -9,6 +9,7 @@ from itertools import chain
 from pathlib import Path
 
 from jktools.compiler import CompiledLevel, CompileError, CompileSettings, PassError, compilation, open_compiled
+from jktools.compiler.mapping import is_compiled
 from jktools.emit.html import LevelPage, Link, index_page, level_page, link_to
 from jktools.facts import LevelFacts
 from jktools.facts.hotspots import summarise_costs
@@ -17,10 +18,10 @@ from jktools.linter import Rule, Selection, lint, select
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
 from jktools.model.resources import Library
-from jktools.session.batch import Progress, members_of, silent
 from jktools.session.ignores import with_settings
 from jktools.session.levels import LEVEL_EXTENSION, read_level
-from jktools.session.opening import is_compiled
+from jktools.session.members import members_of
+from jktools.session.progress import Progress, silent
 from jktools.session.scripts import bound_scripts
 from jktools.session.settings import Settings
 from jktools.session.targets import targets

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 
+from jktools.compiler.mapping import SUFFIX
 from jktools.source import InputError, Member
 from jktools.source.container import PACK_SEPARATOR
 
-COMPILED_SUFFIX = ".jklb"
 
-
-def targets(members: Sequence[Member], out: Path, suffix: str = COMPILED_SUFFIX) -> list[Path]:
+def targets(members: Sequence[Member], out: Path, suffix: str = SUFFIX) -> list[Path]:
     """OUT itself for one level when it names a file; else OUT/<stem>, or OUT/<pack>/<stem> when stems clash.
 
     Raises InputError when OUT cannot hold them all.

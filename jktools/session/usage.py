@@ -104,7 +104,7 @@ class Usage:
             for kind, member in _unused(mod):
                 yield Diagnostic(
                     UNUSED_FILE, UNUSED_FILE.severity, Label(Source(member.path, b"", member.name)),
-                    f"the {kind.title} is in the mod, but nothing in the mod names it"
+                    f"the {kind.title} file is in the mod, but nothing in the mod names it"
                     + ("" if mod.resources.has_base else "; it may replace one of the game's"),
                     "leave it out of the pack, unless it is meant to replace a file of the game",
                 )  # fmt: skip

@@ -41,7 +41,7 @@ def write_parts(target: Path, parts: Iterable[bytes | memoryview], *, durable: b
     When a piece cannot be made the target stays as it was. Raises InputError.
     """
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
+        _make_folder(target.parent)
         handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:60]}-")
         fresh = Path(name)
         try:
@@ -58,6 +58,14 @@ def write_parts(target: Path, parts: Iterable[bytes | memoryview], *, durable: b
     except OSError as error:
         raise InputError(f"cannot write {target}: {(error.strerror or str(error)).lower()}") from error
     return size
+
+
+def _make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError):
+        file = next(path for path in (folder, *folder.parents) if path.exists())
+        raise InputError(f"cannot write below {file}: it is a file, not a folder") from None
 
 
 def _umask() -> int:

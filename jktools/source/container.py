@@ -88,6 +88,11 @@ def describe(error: OSError) -> str:
     return (error.strerror or str(error)).lower()
 
 
+def describe_bytes(error: UnicodeDecodeError) -> str:
+    """What keeps bytes from being UTF-8, in one phrase."""
+    return f"it is no text in UTF-8, its byte {error.start} is {error.object[error.start]:#04x}"
+
+
 def displayed(path: str) -> str:
     """A path that can be shown and written: bytes that are no UTF-8 as escapes."""
     return path.encode("utf-8", "surrogateescape").decode("utf-8", "backslashreplace")

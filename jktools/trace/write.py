@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-from pathlib import Path
 
 import numpy as np
 
@@ -14,16 +13,16 @@ from jktools.trace.recording import Recording
 COLUMNS = ("time", *(f"{name}_{axis}" for name in ("thrust", "velocity", "position") for axis in "xyz"))
 
 
-def write(history: History, path: Path) -> None:
-    """Write a history in the format of the path's suffix: .csv, .m or .png.
+def rendered(history: History, suffix: str) -> bytes:
+    """Give a history in the format of a file's suffix: .csv, .m or .png.
 
     Raises ValueError for another suffix, ModuleNotFoundError for a .png without matplotlib (extra `plot`).
     """
     writers = {".csv": lambda: to_csv(history).encode(), ".m": lambda: to_freemat(history).encode()}
     writers[".png"] = lambda: to_png(history)
-    if path.suffix.lower() not in writers:
-        raise ValueError(f"{path.name} names no format: .csv, .m or .png")
-    path.write_bytes(writers[path.suffix.lower()]())
+    if suffix.lower() not in writers:
+        raise ValueError(f"{suffix or 'no suffix'} names no format: .csv, .m or .png")
+    return writers[suffix.lower()]()
 
 
 def recorded(history: History) -> Recording:

@@ -1,6 +1,7 @@
 // Floors that a body can come down to and whose every way out goes up, as the compiler found them.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "mesh.hpp"

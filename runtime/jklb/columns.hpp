@@ -18,6 +18,36 @@
 
 namespace jklb {
 
+// Numbers of a column as they lie in the file. Vectors of files by jktools start at multiples of 8 bytes; a damaged file
+// can hold them anywhere, so that each is copied out.
+template <typename V>
+struct Stored {
+    const unsigned char* data;
+    std::size_t count;
+
+    std::size_t size() const { return count; }
+    V operator[](std::size_t place) const {
+        V value;
+        std::memcpy(&value, data + place * sizeof value, sizeof value);
+        return value;
+    }
+    // The array itself, or null where it does not start at a multiple of its type.
+    const V* array() const {
+        return reinterpret_cast<std::uintptr_t>(data) % alignof(V) ? nullptr : reinterpret_cast<const V*>(data);
+    }
+};
+
+// What the numbers of a column stand for, in the order of docs/format.md.
+struct ColumnForm {
+    int width = 1;             // numbers a row
+    bool has_values = false;   // else every row is `first`, or with `follows` first, first + 1, ...
+    bool follows = false;
+    std::int64_t first = 0;
+    std::size_t count = 0;     // not 0: the one row of values, or what stands for it, is so many rows
+    double step = 0;           // not 0: a number n of a row stands for (origin + n) * step
+    const flatbuffers::Vector<std::int32_t>* origin = nullptr;  // one for each number of a row; null for zeros
+};
+
 // One column: rows of `width` numbers of type T, read where they lie. Of a column that passed the checks every row can
 // be read; of another none.
 template <typename T>
@@ -75,6 +105,31 @@ public:
                 else spread<V>(out, [this](std::size_t row) { return read<std::uint16_t>(index_, row); });
             });
         }
+    }
+
+    // The numbers as the file holds them, in their own type, without one being widened or copied: calls
+    // see(values, index) with a `Stored` of that type for the values, and one of std::uint8_t or std::uint16_t for the
+    // index, empty where the rows stand for themselves. What the numbers stand for tells `form()`.
+    template <typename See>
+    void visit(const See& see) const {
+        with_type([this, &see](auto type) {
+            const Stored<decltype(type)> values{values_, value_rows_ * static_cast<unsigned>(width_)};
+            if (index_bytes_ == 2) see(values, Stored<std::uint16_t>{index_, index_rows_});
+            else see(values, Stored<std::uint8_t>{index_, index_rows_});
+        });
+    }
+
+    // How numbers that `visit` shows make rows.
+    ColumnForm form() const {
+        ColumnForm form;
+        form.width = width_;
+        form.has_values = kind_ != kNothing;
+        form.count = form.has_values || packed_ ? count_ : rows_;
+        form.first = packed_ ? first_ : static_cast<std::int64_t>(fill_);
+        form.follows = packed_ && kind_ == kNothing;
+        form.step = step_;
+        form.origin = origin_;
+        return form;
     }
 
     // The numbers in place, or null where the file holds them in another form or not at a multiple of their size.

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#if defined(__FAST_MATH__)
-#error "jklb: -ffast-math lets the compiler drop the very errors that exact arithmetic is made of"
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "jklb: -ffast-math (/fp:fast) lets the compiler drop the very errors that exact arithmetic is made of"
 #endif
 
 namespace jklb {

@@ -8,4 +8,5 @@
 #include "locate.hpp"
 #include "mesh.hpp"
 #include "sight.hpp"
+#include "templates.hpp"
 #include "visible.hpp"

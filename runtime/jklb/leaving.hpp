@@ -1,6 +1,9 @@
 // Where a straight way leaves a polygon, seen from above. Exact, as the other queries are.
 #pragma once
 
+#include <algorithm>
+#include <utility>
+
 #include "mesh.hpp"
 #include "predicates.hpp"
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "leaving.hpp"
 #include "mesh.hpp"
@@ -87,14 +90,15 @@ struct Leave {
     Index corner;         // of the edge by which it leaves, from this corner of the floor to the next; -1 where it stays
     double along, place;  // how far along the way, and along that edge: 0 .. 1, the nearest doubles
     double drop;          // JKU down from the edge there, the nearest double: negative for up, NaN for none and unknown
-    Ledge ledge;          // what it comes onto; where the edge is level, from the ledge before to the one after
+    Ledge ledge;          // what it comes onto; where none is listed, from the ledge before to the one after
 
-    // kLevel where the body stays or the floor goes on, kUnknown where the file does not say.
+    // kLevel where the body stays or the floor goes on; over an edge of a thing with a drop that is NaN, since also the
+    // thing's own faces may go on there or stop the body, which its model tells. kUnknown where the file does not say.
     LedgeKind kind() const { return ledge.kind; }
 };
 
-// The ledges of a level, for each of its bodies. An edge of a floor, or a part of one, that has none goes on level.
-// Nothing is allocated by any question.
+// The ledges of a level, for each of its bodies. An edge of a surface, or a part of one, that has none goes on level; one
+// of a thing goes on level, or over or against the thing's own faces. Nothing is allocated by any question but `body`.
 class LedgesOf {
 public:
     explicit LedgesOf(const Level& level) : level_(level) {
@@ -155,6 +159,7 @@ public:
         if (!exit.starts_inside) return out;
         out = {exit.corner, exit.along, exit.place, 0, kLevel};
         if (exit.corner < 0) return out;
+        if (floor.surface < 0) out.drop = out.ledge.drop_start = out.ledge.drop_end = std::numeric_limits<float>::quiet_NaN();
         const EdgeLedges edge = floor.surface >= 0 ? at(body, floor.surface, exit.corner)
                                                    : of_thing(body, floor.thing, floor.frame, floor.face, exit.corner);
         for (const Ledge each : edge) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,14 +51,25 @@ public:
     std::size_t size() const { return size_; }
     std::size_t strings() const { return strings_; }
 
-    // A text of the level, by the index that columns hold.
-    std::string_view string(std::size_t index) const {
-        if (!has_text()) return root_->strings()->Get(static_cast<unsigned>(index))->string_view();
-        const std::uint32_t start = text_.text_start(index), end = text_.text_start(index + 1);
-        return {reinterpret_cast<const char*>(root_->text()->data()) + start, end - start - 1};
+    // A text of the level in UTF-8, by the index that columns hold.
+    std::string string(std::size_t index) const {
+        if (!has_text()) return root_->strings()->Get(static_cast<unsigned>(index))->str();
+        const std::uint8_t* octets = root_->text()->data();
+        const std::uint8_t *at = octets + text_.text_start(index), *end = octets + text_.text_start(index + 1);
+        if (symbols_.empty()) return {reinterpret_cast<const char*>(at), static_cast<std::size_t>(end - at) - 1};
+        std::string text;
+        for (; at != end; ++at) {
+            if (*at < kFirstSymbol) text += static_cast<char>(*at);
+            else if (*at == kEscape) text += static_cast<char>(*++at);
+            else text += symbols_[*at - kFirstSymbol];
+        }
+        return text;
     }
 
 private:
+    static constexpr unsigned kFirstSymbol = 0x80, kEscape = 0xff;  // see Level.text in grammars/level.fbs
+    static constexpr std::size_t kLongestSymbol = 255;
+
     bool has_text() const { return root_->format_minor() >= kTextSince; }
 
     // What is wrong with a buffer, or nothing.
@@ -95,6 +107,7 @@ private:
         if (has_text()) check_text(checks, minor);
         check_sections(checks, sections_, strings_, minor);
         if (checks.fault().empty()) check_surface_ranges(checks);
+        if (checks.fault().empty()) check_bases(checks);
         if (has_text() && root_->omissions())
             for (const jktools::Omission* each : *root_->omissions())
                 check_omission(checks, Omission(*each, minor), strings_);
@@ -102,18 +115,58 @@ private:
         return checks.fault();
     }
 
-    // That the strings are cut in order, each with a zero byte behind it.
+    // That the strings are cut in order, and either each has a zero byte behind it or all can be read by the symbols.
     void check_text(Checks& checks, unsigned minor) {
         text_ = Text(*root_, minor);
-        check_level(checks, text_);
+        check_level(checks, text_, minor);
         if (!checks.fault().empty()) return;
         strings_ = text_.text_start.rows() - 1;
         const std::vector<std::uint32_t> start = text_.text_start.all();
         const std::uint8_t* octets = root_->text() ? root_->text()->data() : nullptr;
+        if (text_.symbols.rows()) return check_coded(checks, octets, start);
         bool good = strings_ == 0 || octets;
         for (std::size_t i = 0; good && i < strings_; ++i)
             good = start[i] < start[i + 1] && octets[start[i + 1] - 1] == 0;
         if (!good) checks.refuse("level.text should have a zero byte behind each string, but has not");
+    }
+
+    void check_coded(Checks& checks, const std::uint8_t* octets, const std::vector<std::uint32_t>& start) {
+        if (!take_symbols())
+            return checks.refuse("level.symbols should be up to 127 of up to 255 bytes, each with a zero byte behind it");
+        const unsigned beyond = kFirstSymbol + static_cast<unsigned>(symbols_.size());
+        for (std::size_t i = 0; i < strings_; ++i)
+            for (std::size_t k = start[i]; k < start[i + 1]; ++k) {
+                const unsigned code = octets[k];
+                if (code < beyond) continue;
+                if (code == kEscape && ++k < start[i + 1]) continue;
+                return checks.refuse("level.text " + std::to_string(i) + " has the code " + std::to_string(code) +
+                                     (code == kEscape ? ", but nothing behind it"
+                                                      : ", but there are " + std::to_string(symbols_.size()) + " symbols"));
+            }
+    }
+
+    // Cuts the symbols; whether they are sound.
+    bool take_symbols() {
+        const char* at = reinterpret_cast<const char*>(root_->symbols()->data());
+        const char* end = at + root_->symbols()->size();
+        while (at != end) {
+            const void* zero = std::memchr(at, 0, static_cast<std::size_t>(end - at));
+            const auto length = zero ? static_cast<std::size_t>(static_cast<const char*>(zero) - at) : 0;
+            if (length == 0 || length > kLongestSymbol || symbols_.size() == kEscape - kFirstSymbol) return false;
+            symbols_.emplace_back(at, length);
+            at += length + 1;
+        }
+        return true;
+    }
+
+    // That every template rests on one before it, so that the way from base to base ends.
+    void check_bases(Checks& checks) const {
+        if (!sections_.templates) return;
+        const Templates& t = *sections_.templates;
+        for (std::size_t i = 0; i < t.base.rows(); ++i)
+            if (t.base(i) >= static_cast<std::int64_t>(i))
+                return checks.refuse("templates.base " + std::to_string(i) + " is " + std::to_string(t.base(i)) +
+                                     ", which does not come before it");
     }
 
     void check_surface_ranges(Checks& checks) const {
@@ -163,6 +216,7 @@ private:
     const jktools::Level* root_ = nullptr;
     std::size_t size_ = 0, strings_ = 0;
     Text text_;
+    std::vector<std::string_view> symbols_;  // of the file
     Sections sections_;
 };
 

@@ -1,4 +1,5 @@
-// A file in memory, read only.
+// A file in memory, read only. What is written to the file while it is mapped shows; one that is cut shorter takes the
+// process down when what was cut is read (jktools replaces files, and never writes into one).
 #pragma once
 
 #include <cerrno>
@@ -27,6 +28,8 @@ namespace jklb {
 class Mapping {
 public:
     Mapping() = default;
+    Mapping(const Mapping&) = delete;
+    Mapping& operator=(const Mapping&) = delete;
     Mapping(Mapping&& other) noexcept { swap(other); }
     Mapping& operator=(Mapping&& other) noexcept {
         swap(other);
@@ -63,12 +66,15 @@ inline bool Mapping::open(const std::string& path, std::string& why) {
     MultiByteToWideChar(CP_UTF8, 0, path.c_str(), -1, &wide[0], length);
     const HANDLE file = CreateFileW(wide.c_str(), GENERIC_READ, FILE_SHARE_READ, nullptr, OPEN_EXISTING, 0, nullptr);
     if (file == INVALID_HANDLE_VALUE) {
-        const DWORD code = GetLastError();
+        const DWORD code = GetLastError(), kind = GetFileAttributesW(wide.c_str());
         if (code == ERROR_FILE_NOT_FOUND || code == ERROR_PATH_NOT_FOUND) why = "no such file or directory";
+        if (kind != INVALID_FILE_ATTRIBUTES && (kind & FILE_ATTRIBUTE_DIRECTORY)) why = "is a directory";
         return false;
     }
     LARGE_INTEGER size;
-    if (GetFileSizeEx(file, &size) && size.QuadPart == 0) {
+    if (!GetFileSizeEx(file, &size)) {
+        why = "it is no file";
+    } else if (size.QuadPart == 0) {
         why = "the file is empty";
     } else if (const HANDLE mapping = CreateFileMappingW(file, nullptr, PAGE_READONLY, 0, 0, nullptr)) {
         data_ = MapViewOfFile(mapping, FILE_MAP_READ, 0, 0, 0);
@@ -94,7 +100,7 @@ inline bool Mapping::open(const std::string& path, std::string& why) {
         if (!why.empty() && why[0] >= 'A' && why[0] <= 'Z') why[0] = static_cast<char>(why[0] - 'A' + 'a');
         return false;
     };
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe is no reason to wait
     if (file < 0) return fail();
     struct stat status;
     bool good = ::fstat(file, &status) == 0;
@@ -104,6 +110,8 @@ inline bool Mapping::open(const std::string& path, std::string& why) {
     }
     if (!good) {
         fail();
+    } else if (!S_ISREG(status.st_mode)) {
+        why = "it is no file";
     } else if (status.st_size == 0) {
         why = "the file is empty";
     } else {

@@ -12,7 +12,7 @@
 namespace jklb {
 
 // Files of this major version are read, of later minor versions what was there before.
-inline constexpr unsigned kFormatMajor = 1, kFormatMinor = 2;
+inline constexpr unsigned kFormatMajor = 1, kFormatMinor = 3;
 
 // The minor version that brought Level.text and the columns of omissions.
 inline constexpr unsigned kTextSince = 2;
@@ -20,11 +20,13 @@ inline constexpr unsigned kTextSince = 2;
 struct Text {
     Column<std::uint8_t> text;
     Column<std::uint32_t> text_start;
+    Column<std::uint8_t> symbols;
 
     Text() = default;
-    Text(const jktools::Level& table, unsigned)
+    Text(const jktools::Level& table, unsigned minor)
         : text(column<std::uint8_t>(table.text(), nullptr, 1, 0)),
-          text_start(column<std::uint32_t>(table.text_start(), table.text_start_packed(), 1, 0)) {}
+          text_start(column<std::uint32_t>(table.text_start(), table.text_start_packed(), 1, 0)),
+          symbols(minor >= 3 ? column<std::uint8_t>(table.symbols(), nullptr, 1, 0) : Column<std::uint8_t>()) {}
 };
 
 struct Omission {
@@ -149,6 +151,7 @@ struct Templates {
     Column<std::uint32_t> list_start;
     Column<double> list_number;
     Column<std::uint32_t> unused_key;
+    Column<std::uint32_t> own_key;
     Column<std::uint32_t> name;
     Column<std::uint32_t> parent;
     Column<std::uint32_t> parameter_start;
@@ -163,16 +166,22 @@ struct Templates {
     Column<std::uint32_t> value_list;
     Column<std::uint32_t> unused_start;
     Column<std::uint32_t> unused_value;
+    Column<std::int32_t> base;
+    Column<std::uint32_t> own_start;
+    Column<std::int32_t> own_text;
+    Column<std::int32_t> own_setter;
+    Column<std::uint32_t> own_list;
 
     Templates() = default;
     Templates(const jktools::Templates& table, unsigned minor)
         : source(column<std::int32_t>(table.source(), table.source_packed(), 1, 0)),
           parameter_key(minor <= 1 ? column<std::uint32_t>(table.parameter_key(), table.parameter_key_packed(), 1, 0) : Column<std::uint32_t>()),
-          value_key(minor >= 1 ? column<std::uint32_t>(table.value_key(), table.value_key_packed(), 1, 0) : Column<std::uint32_t>()),
+          value_key(minor >= 1 && minor <= 2 ? column<std::uint32_t>(table.value_key(), table.value_key_packed(), 1, 0) : Column<std::uint32_t>()),
           number(minor >= 1 && minor <= 1 ? column<double>(table.number(), table.number_packed(), 1, 0) : Column<double>()),
           list_start(minor >= 2 ? column<std::uint32_t>(table.list_start(), table.list_start_packed(), 1, 0) : Column<std::uint32_t>()),
           list_number(minor >= 2 ? column<double>(table.list_number(), table.list_number_packed(), 1, 0) : Column<double>()),
           unused_key(minor >= 2 ? column<std::uint32_t>(table.unused_key(), table.unused_key_packed(), 1, 0) : Column<std::uint32_t>()),
+          own_key(minor >= 3 ? column<std::uint32_t>(table.own_key(), table.own_key_packed(), 1, 0) : Column<std::uint32_t>()),
           name(column<std::uint32_t>(table.name(), table.name_packed(), 1, source.rows())),
           parent(column<std::uint32_t>(table.parent(), table.parent_packed(), 1, source.rows())),
           parameter_start(minor <= 1 ? column<std::uint32_t>(table.parameter_start(), table.parameter_start_packed(), 1, source.rows()) : Column<std::uint32_t>()),
@@ -180,13 +189,18 @@ struct Templates {
           type(minor >= 1 ? column<std::int32_t>(table.type(), table.type_packed(), 1, source.rows()) : Column<std::int32_t>()),
           move(minor >= 1 ? column<std::int32_t>(table.move(), table.move_packed(), 1, source.rows()) : Column<std::int32_t>()),
           has_ai(minor >= 1 ? column<std::int32_t>(table.has_ai(), table.has_ai_packed(), 1, source.rows()) : Column<std::int32_t>()),
-          value_start(minor >= 1 ? column<std::uint32_t>(table.value_start(), table.value_start_packed(), 1, source.rows()) : Column<std::uint32_t>()),
-          value_text(minor >= 1 ? column<std::int32_t>(table.value_text(), table.value_text_packed(), 1, value_key.rows(), -1) : Column<std::int32_t>()),
-          value_source(minor >= 1 ? column<std::int32_t>(table.value_source(), table.value_source_packed(), 1, value_key.rows()) : Column<std::int32_t>()),
+          value_start(minor >= 1 && minor <= 2 ? column<std::uint32_t>(table.value_start(), table.value_start_packed(), 1, source.rows()) : Column<std::uint32_t>()),
+          value_text(minor >= 1 && minor <= 2 ? column<std::int32_t>(table.value_text(), table.value_text_packed(), 1, value_key.rows(), -1) : Column<std::int32_t>()),
+          value_source(minor >= 1 && minor <= 2 ? column<std::int32_t>(table.value_source(), table.value_source_packed(), 1, value_key.rows()) : Column<std::int32_t>()),
           number_start(minor >= 1 && minor <= 1 ? column<std::uint32_t>(table.number_start(), table.number_start_packed(), 1, value_key.rows()) : Column<std::uint32_t>()),
-          value_list(minor >= 2 ? column<std::uint32_t>(table.value_list(), table.value_list_packed(), 1, value_key.rows()) : Column<std::uint32_t>()),
+          value_list(minor >= 2 && minor <= 2 ? column<std::uint32_t>(table.value_list(), table.value_list_packed(), 1, value_key.rows()) : Column<std::uint32_t>()),
           unused_start(minor >= 2 ? column<std::uint32_t>(table.unused_start(), table.unused_start_packed(), 1, source.rows()) : Column<std::uint32_t>()),
-          unused_value(minor >= 2 ? column<std::uint32_t>(table.unused_value(), table.unused_value_packed(), 1, unused_key.rows()) : Column<std::uint32_t>()) {}
+          unused_value(minor >= 2 ? column<std::uint32_t>(table.unused_value(), table.unused_value_packed(), 1, unused_key.rows()) : Column<std::uint32_t>()),
+          base(minor >= 3 ? column<std::int32_t>(table.base(), table.base_packed(), 1, source.rows(), -1) : Column<std::int32_t>()),
+          own_start(minor >= 3 ? column<std::uint32_t>(table.own_start(), table.own_start_packed(), 1, source.rows()) : Column<std::uint32_t>()),
+          own_text(minor >= 3 ? column<std::int32_t>(table.own_text(), table.own_text_packed(), 1, own_key.rows(), -1) : Column<std::int32_t>()),
+          own_setter(minor >= 3 ? column<std::int32_t>(table.own_setter(), table.own_setter_packed(), 1, own_key.rows()) : Column<std::int32_t>()),
+          own_list(minor >= 3 ? column<std::uint32_t>(table.own_list(), table.own_list_packed(), 1, own_key.rows()) : Column<std::uint32_t>()) {}
 };
 
 struct Things {
@@ -467,10 +481,10 @@ struct Models {
 
     Models() = default;
     Models(const jktools::Models& table, unsigned minor)
-        : name(minor >= 2 ? column<std::uint32_t>(table.name(), table.name_packed(), 1, 0) : Column<std::uint32_t>()),
-          insert_offset(minor >= 2 ? column<float>(table.insert_offset(), table.insert_offset_packed(), 3, name.rows()) : Column<float>()),
-          radius(minor >= 2 ? column<float>(table.radius(), table.radius_packed(), 1, name.rows()) : Column<float>()),
-          known(minor >= 2 ? column<std::uint8_t>(table.known(), table.known_packed(), 1, name.rows()) : Column<std::uint8_t>()) {}
+        : name(minor >= 3 ? column<std::uint32_t>(table.name(), table.name_packed(), 1, 0) : Column<std::uint32_t>()),
+          insert_offset(minor >= 3 ? column<float>(table.insert_offset(), table.insert_offset_packed(), 3, name.rows()) : Column<float>()),
+          radius(minor >= 3 ? column<float>(table.radius(), table.radius_packed(), 1, name.rows()) : Column<float>()),
+          known(minor >= 3 ? column<std::uint8_t>(table.known(), table.known_packed(), 1, name.rows()) : Column<std::uint8_t>()) {}
 };
 
 struct Files {
@@ -481,10 +495,10 @@ struct Files {
 
     Files() = default;
     Files(const jktools::Files& table, unsigned minor)
-        : name(minor >= 2 ? column<std::uint32_t>(table.name(), table.name_packed(), 1, 0) : Column<std::uint32_t>()),
-          sha256(minor >= 2 ? column<std::uint8_t>(table.sha256(), table.sha256_packed(), 32, 0) : Column<std::uint8_t>()),
-          folder(minor >= 2 ? column<std::uint32_t>(table.folder(), table.folder_packed(), 1, name.rows()) : Column<std::uint32_t>()),
-          found(minor >= 2 ? column<std::uint8_t>(table.found(), table.found_packed(), 1, name.rows()) : Column<std::uint8_t>()) {}
+        : name(minor >= 3 ? column<std::uint32_t>(table.name(), table.name_packed(), 1, 0) : Column<std::uint32_t>()),
+          sha256(minor >= 3 ? column<std::uint8_t>(table.sha256(), table.sha256_packed(), 32, 0) : Column<std::uint8_t>()),
+          folder(minor >= 3 ? column<std::uint32_t>(table.folder(), table.folder_packed(), 1, name.rows()) : Column<std::uint32_t>()),
+          found(minor >= 3 ? column<std::uint8_t>(table.found(), table.found_packed(), 1, name.rows()) : Column<std::uint8_t>()) {}
 };
 
 // Absent is what the level did not need; resources and geometry never are.
@@ -526,10 +540,11 @@ struct Sections {
     }
 };
 
-inline void check_level(Checks& check, const Text& own) {
+inline void check_level(Checks& check, const Text& own, unsigned minor) {
     check.form("level.text", own.text);
     check.form("level.text_start", own.text_start);
     check.cuts("level.text_start", own.text_start, own.text.rows());
+    if (minor >= 3) check.form("level.symbols", own.symbols);
 }
 
 inline void check_omission(Checks& check, const Omission& own, std::size_t strings) {
@@ -675,21 +690,21 @@ inline void check_templates(Checks& check, const Templates& own, std::size_t str
         check.form("templates.has_ai", own.has_ai);
         check.rows("templates.has_ai", own.has_ai, own.source.rows());
     }
-    if (minor >= 1) {
+    if (minor >= 1 && minor <= 2) {
         check.form("templates.value_start", own.value_start);
         check.cuts("templates.value_start", own.value_start, own.value_key.rows());
         check.rows("templates.value_start", own.value_start, own.source.rows() + 1);
     }
-    if (minor >= 1) {
+    if (minor >= 1 && minor <= 2) {
         check.form("templates.value_key", own.value_key);
         check.indices("templates.value_key", own.value_key, 0, strings, "strings");
     }
-    if (minor >= 1) {
+    if (minor >= 1 && minor <= 2) {
         check.form("templates.value_text", own.value_text);
         check.rows("templates.value_text", own.value_text, own.value_key.rows());
         check.indices("templates.value_text", own.value_text, -1, strings, "strings");
     }
-    if (minor >= 1) {
+    if (minor >= 1 && minor <= 2) {
         check.form("templates.value_source", own.value_source);
         check.rows("templates.value_source", own.value_source, own.value_key.rows());
     }
@@ -699,7 +714,7 @@ inline void check_templates(Checks& check, const Templates& own, std::size_t str
         check.rows("templates.number_start", own.number_start, own.value_key.rows() + 1);
     }
     if (minor >= 1 && minor <= 1) check.form("templates.number", own.number);
-    if (minor >= 2) {
+    if (minor >= 2 && minor <= 2) {
         check.form("templates.value_list", own.value_list);
         check.rows("templates.value_list", own.value_list, own.value_key.rows());
         check.indices("templates.value_list", own.value_list, 0, std::max<std::size_t>(own.list_start.rows(), 1) - 1, "list_start");
@@ -722,6 +737,34 @@ inline void check_templates(Checks& check, const Templates& own, std::size_t str
         check.form("templates.unused_value", own.unused_value);
         check.rows("templates.unused_value", own.unused_value, own.unused_key.rows());
         check.indices("templates.unused_value", own.unused_value, 0, strings, "strings");
+    }
+    if (minor >= 3) {
+        check.form("templates.base", own.base);
+        check.rows("templates.base", own.base, own.source.rows());
+        check.indices("templates.base", own.base, -1, own.source.rows(), "source");
+    }
+    if (minor >= 3) {
+        check.form("templates.own_start", own.own_start);
+        check.cuts("templates.own_start", own.own_start, own.own_key.rows());
+        check.rows("templates.own_start", own.own_start, own.source.rows() + 1);
+    }
+    if (minor >= 3) {
+        check.form("templates.own_key", own.own_key);
+        check.indices("templates.own_key", own.own_key, 0, strings, "strings");
+    }
+    if (minor >= 3) {
+        check.form("templates.own_text", own.own_text);
+        check.rows("templates.own_text", own.own_text, own.own_key.rows());
+        check.indices("templates.own_text", own.own_text, -1, strings, "strings");
+    }
+    if (minor >= 3) {
+        check.form("templates.own_setter", own.own_setter);
+        check.rows("templates.own_setter", own.own_setter, own.own_key.rows());
+    }
+    if (minor >= 3) {
+        check.form("templates.own_list", own.own_list);
+        check.rows("templates.own_list", own.own_list, own.own_key.rows());
+        check.indices("templates.own_list", own.own_list, 0, std::max<std::size_t>(own.list_start.rows(), 1) - 1, "list_start");
     }
 }
 
@@ -985,39 +1028,39 @@ inline void check_basins(Checks& check, const Basins& own, const Sections& all) 
 }
 
 inline void check_models(Checks& check, const Models& own, std::size_t strings, unsigned minor) {
-    if (minor >= 2) {
+    if (minor >= 3) {
         check.form("models.name", own.name);
         check.indices("models.name", own.name, 0, strings, "strings");
     }
-    if (minor >= 2) {
+    if (minor >= 3) {
         check.form("models.insert_offset", own.insert_offset);
         check.rows("models.insert_offset", own.insert_offset, own.name.rows());
     }
-    if (minor >= 2) {
+    if (minor >= 3) {
         check.form("models.radius", own.radius);
         check.rows("models.radius", own.radius, own.name.rows());
     }
-    if (minor >= 2) {
+    if (minor >= 3) {
         check.form("models.known", own.known);
         check.rows("models.known", own.known, own.name.rows());
     }
 }
 
 inline void check_files(Checks& check, const Files& own, std::size_t strings, unsigned minor) {
-    if (minor >= 2) {
+    if (minor >= 3) {
         check.form("files.name", own.name);
         check.indices("files.name", own.name, 0, strings, "strings");
     }
-    if (minor >= 2) {
+    if (minor >= 3) {
         check.form("files.folder", own.folder);
         check.rows("files.folder", own.folder, own.name.rows());
         check.indices("files.folder", own.folder, 0, strings, "strings");
     }
-    if (minor >= 2) {
+    if (minor >= 3) {
         check.form("files.found", own.found);
         check.rows("files.found", own.found, own.name.rows());
     }
-    if (minor >= 2) check.form("files.sha256", own.sha256);
+    if (minor >= 3) check.form("files.sha256", own.sha256);
 }
 
 // The range check of every section. What it leaves without a fault leads nowhere outside its arrays.

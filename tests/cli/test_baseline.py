@@ -103,7 +103,7 @@ def test_a_bug_is_never_known(here: Path, monkeypatch: pytest.MonkeyPatch, capsy
     def fail(*_: object) -> None:
         raise RuntimeError("boom")
 
-    monkeypatch.setattr("jktools.session.batch.read_level", fail)
+    monkeypatch.setattr("jktools.session.checking.read_level", fail)
     assert lint("rooms.jkl", "--write-baseline", "known.json") == 3
     assert json.loads((here / "known.json").read_text())["findings"] == []
     assert lint("rooms.jkl", "--baseline", "known.json") == 3

@@ -39,7 +39,11 @@ def test_what_is_below(tmp_path: Path, fragment: tuple[str, ...], start: str, la
 
 @pytest.mark.parametrize(
     ("start", "message"),
-    [("9", "9 is neither the number of a thing nor x,y,z"), ("9,9,9", "(9, 9, 9) lies in no sector")],
+    [
+        ("9", "the level has no thing with number 9"),
+        ("x", "x is neither the number of a thing nor x,y,z"),
+        ("9,9,9", "(9, 9, 9) lies in no sector"),
+    ],
 )
 def test_starts_that_are_nowhere(tmp_path: Path, start: str, message: str) -> None:
     status, output = run(tmp_path, two_rooms(), start)

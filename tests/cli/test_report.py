@@ -174,7 +174,7 @@ def test_a_compiled_level_is_drawn_without_findings(here: Path) -> None:
     [
         (["no.jkl", "-o", "out"], "cannot read no.jkl: no such file or folder"),
         (["."], "Missing option '-o'"),
-        ([ENGINE, "-o", "taken.txt/x.html"], "cannot write taken.txt/x.html: "),
+        ([ENGINE, "-o", "taken.txt/x.html"], "cannot write below taken.txt: it is a file, not a folder"),
         (["fixtures", "-o", "one.html"], "name a folder"),
         (["bad.jklb", "-o", "out"], "cannot read bad.jklb: "),
     ],

@@ -15,7 +15,9 @@ from pathlib import Path
 import pytest
 
 from jktools.cli import main
-from jktools.compiler import CompiledFileError, CompiledLevel, compile_level
+from jktools.compiler import CompiledFileError, CompiledLevel, CompileSettings, compile_level
+from jktools.session import checking, compiling
+from jktools.source import Member
 from tests.support.levels import TWO_ROOMS, level_of, two_rooms
 
 BROKEN = two_rooms("World adjoins 2", "1: 0x7 1 1")
@@ -81,19 +83,18 @@ def test_a_misspelt_heading_hides_nothing() -> None:
 def test_a_bug_on_one_file_leaves_the_others(
     here: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    import jktools.session.batch as batch  # noqa: PLC0415
-
     (here / "mod").mkdir()
     for name in "ab":
         (here / f"mod/{name}.jkl").write_text(BROKEN)
-    real = batch.read_level
+    real = checking.read_level
 
-    def failing(member: batch.Member, *rest: object) -> object:
+    def failing(member: Member, *rest: object) -> object:
         if member.name == "a.jkl":
             raise ZeroDivisionError("by nought")
         return real(member, *rest)
 
-    monkeypatch.setattr(batch, "read_level", failing)
+    for module in (checking, compiling):
+        monkeypatch.setattr(module, "read_level", failing)
     assert main(["lint", "mod", "--format", "json"]) == 3
     found = json.loads(capsys.readouterr().out)["diagnostics"]
     assert [(d["code"], d["path"]) for d in found] == [("JK902", "mod/a.jkl"), ("JK201", "mod/b.jkl")]
@@ -121,8 +122,8 @@ def test_a_name_that_is_no_utf8(here: Path, capsys: pytest.CaptureFixture[str]) 
 
 
 def test_a_damaged_text_in_a_compiled_level() -> None:
-    data = bytearray(compile_level(level_of(TWO_ROOMS)))
-    at = data.find(b"wind.wav")
+    data = bytearray(compile_level(level_of(TWO_ROOMS), CompileSettings(plain=True)))
+    at = data.index(b"wind.wav")
     data[at] = 0xFF
     with pytest.raises(CompiledFileError, match="the file is damaged"):
         _ = CompiledLevel(bytes(data)).strings

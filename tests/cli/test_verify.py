@@ -137,7 +137,7 @@ def test_inputs_are_told(here: Path, capsys: pytest.CaptureFixture[str]) -> None
         == f"its inputs are what they were: 3 files, and {len(level.missing_inputs)} names that none has"
     )
     assert main(["inspect", "mod.jklb"]) == 0
-    assert f"  and from 2 other files; {len(level.missing_inputs)} more were looked for" in capsys.readouterr().out
+    assert f"  and from 2 other files; {len(level.missing_inputs)} more looked for" in capsys.readouterr().out
     assert main(["inspect", "mod.jklb", "--inputs"]) == 0
     shown = capsys.readouterr().out
     assert f"    {hashlib.sha256(SCRIPT).hexdigest()}  cog/door.cog\n" in shown
@@ -218,7 +218,9 @@ def test_a_file_of_an_older_format_is_verified_by_what_both_have(here: Path) -> 
 
 
 def test_settings_are_recorded() -> None:
-    settings = CompileSettings("openjkdf2", "exact", frozenset({"things"}), frozenset({"ledges"}), cut_anyway=True)
+    settings = CompileSettings(
+        "openjkdf2", "exact", frozenset({"things"}), frozenset({"ledges"}), cut_anyway=True, plain=True
+    )
     level = CompiledLevel(compile_level(level_of(TWO_ROOMS), settings))
-    assert (level.only, level.skip, level.cut_anyway) == (["things"], ["ledges"], True)
+    assert (level.only, level.skip, level.cut_anyway, level.plain) == (["things"], ["ledges"], True, True)
     assert level.settings == {"game": "jk", "engine": "openjkdf2", "accuracy": "exact"}

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from jktools.compiler import CompiledFileError, CompiledLevel, CompileError, compile_level, open_compiled
 from jktools.compiler.columns import SECTIONS, STRINGS
+from jktools.compiler.verification import first_difference
 from jktools.facts import LevelFacts
 from jktools.model import Level
 from tests.support.levels import ROOT, TWO_ROOMS, level_of, two_rooms
@@ -122,7 +123,7 @@ def test_a_newer_major_version_is_refused() -> None:
     newer = bytearray(COMPILED)
     at = CompiledLevel(COMPILED)._root._tab
     newer[at.Offset(4) + at.Pos] = 2
-    with pytest.raises(CompiledFileError, match=r"format version 2\.2, but this jktools reads 1\.x"):
+    with pytest.raises(CompiledFileError, match=r"format version 2\.3, but this jktools reads 1\.x"):
         CompiledLevel(bytes(newer))
 
 
@@ -220,6 +221,22 @@ def test_a_file_of_format_1_1_is_read() -> None:
     assert old.templates is not None
     assert [old.strings[i] for i in old.templates.parameter_value[:4]] == ["player", "physics", ".065", "0x4a4f"]
     assert not hasattr(old.templates, "value_list")
+
+
+def test_a_file_of_format_1_2_is_read() -> None:
+    """Written by commit 4616d79, the last of format 1.2, from tests/data/two_rooms.jkl; it says what today's says."""
+    old = CompiledLevel((ROOT / "tests/data/two_rooms_1_2.jklb").read_bytes(), verify=True)
+    new = CompiledLevel(COMPILED)
+    assert old.format == "1.2"
+    assert first_difference(old, new) is None
+    assert old.templates is not None
+    assert new.templates is not None
+    assert not hasattr(old.templates, "own_key")
+    for name in ("value_start", "value_source", "number_start", "number"):
+        assert getattr(old.templates, name).tolist() == getattr(new.templates, name).tolist(), name
+    for name in ("value_key", "value_text"):
+        told = [[None if i < 0 else level.strings[i] for i in getattr(level.templates, name)] for level in (old, new)]
+        assert told[0] == told[1], name
 
 
 def test_parameters_that_a_value_tells_are_not_repeated() -> None:

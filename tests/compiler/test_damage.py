@@ -13,14 +13,29 @@ from jktools.compiler import CompiledFileError, CompiledLevel, CompileSettings, 
 from jktools.compiler import level_generated as fb
 from jktools.compiler.checksum import seal
 from jktools.compiler.packing import Stored
-from jktools.compiler.reader import NO_SECTION, Section, _layouts
+from jktools.compiler.section import NO_SECTION, Section, layouts
 from jktools.compiler.slots import wanted
-from tests.support.levels import ROOT, TWO_ROOMS, level_of
+from tests.support.levels import ROOT, TWO_ROOMS, level_of, two_rooms
 from tests.support.range_check import first_fault, text_fault
 
+PLAIN = compile_level(level_of(TWO_ROOMS), CompileSettings(plain=True))
+"""With texts as they are, each with a zero byte behind it."""
 FILES = {
     "balanced": compile_level(level_of(TWO_ROOMS)),
     "fast": compile_level(level_of(TWO_ROOMS), CompileSettings(accuracy="fast", cut_anyway=True)),
+    "coded": compile_level(
+        level_of(
+            two_rooms(
+                "World sounds 60",
+                *(f"squeak_{i:02}.wav" for i in range(60)),
+                "World templates 9",
+                "guard walkplayer health=60",
+                "captain guard light=.5",
+                "box crate size=.2",
+            )
+        )
+    ),
+    "1.2": (ROOT / "tests/data/two_rooms_1_2.jklb").read_bytes(),
     "1.1": (ROOT / "tests/data/two_rooms_1_1.jklb").read_bytes(),
 }
 MOST_ROWS = 1 << 16
@@ -46,7 +61,7 @@ def stored(data: bytes) -> Iterator[tuple[str, Mapping[str, Stored]]]:
     parts, steps = level_parts(np.frombuffer(data, np.uint8), wanted())
     parts = parts.reshape(len(steps), -1)
     minor = fb.Level.GetRootAs(data).FormatMinor()  # type: ignore[no-untyped-call]
-    for name, layout in _layouts(minor).items():
+    for name, layout in layouts(minor).items():
         if parts[layout.rows.start, 0] != NO_SECTION:
             yield name, Section(memoryview(data), (parts, steps), layout).stored
 
@@ -67,7 +82,10 @@ def by_numpy(data: bytes) -> str | None:
     return first_fault(sections, strings, len(data))
 
 
-@pytest.mark.parametrize(("file", "change", "step"), [("balanced", 0xFF, 1), ("fast", 0x80, 3), ("1.1", 0x01, 3)])
+@pytest.mark.parametrize(
+    ("file", "change", "step"),
+    [("balanced", 0xFF, 1), ("fast", 0x80, 3), ("coded", 0x80, 2), ("1.2", 0x40, 3), ("1.1", 0x01, 3)],
+)
 def test_every_byte_flipped(file: str, change: int, step: int) -> None:
     data, refused = FILES[file], 0
     for at in range(0, len(data), step):
@@ -98,6 +116,7 @@ def test_the_native_check_and_the_one_in_numpy_agree(file: str) -> None:
         assert (inside or None) == by_numpy(changed), at
         seen.add(inside.partition(" ")[0])
     assert len(seen) > 10
+    assert {"level.text", "level.symbols", "templates.base"} <= seen or file != "coded"
 
 
 @pytest.mark.parametrize("file", FILES)
@@ -147,14 +166,14 @@ def test_a_column_cannot_claim_more_rows_than_the_file_has_bytes() -> None:
 
 
 def test_a_newer_minor_version_that_cannot_be_read_says_so() -> None:
-    data = bytearray(FILES["balanced"])
+    data = bytearray(PLAIN)
     table = fb.Level.GetRootAs(data)._tab  # type: ignore[no-untyped-call]
     minor = table.Offset(6) + table.Pos
     data[minor] = 9
     assert CompiledLevel(bytes(data)).format == "1.9"
     data[data.index(b"wind.wav\0") + 8] = 1
     with pytest.raises(
-        CompiledFileError, match=r"of format 1\.9, and this jktools reads up to 1\.2 of it; use a newer"
+        CompiledFileError, match=r"of format 1\.9, and this jktools reads up to 1\.3 of it; use a newer"
     ):
         CompiledLevel(bytes(data))
 
@@ -163,7 +182,7 @@ def test_the_command_line_refuses_a_damaged_file(
     tmp_path_factory: pytest.TempPathFactory, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path_factory.mktemp("damage") / "x.jklb"
-    data = bytearray(FILES["balanced"])
+    data = bytearray(PLAIN)
     data[data.index(b"wind.wav\0") + 8] = 1
     file.write_bytes(seal(data))
     for words in (["inspect", str(file)], ["inspect", str(file), "--verify"], ["diff", str(file), str(file)]):

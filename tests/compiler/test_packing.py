@@ -106,6 +106,27 @@ def test_a_group_shares_one_index() -> None:
         assert each.array(column).tobytes() == values[name].astype(f"<{column.type}").tobytes()
 
 
+def test_a_group_falls_into_parts_that_repeat_together() -> None:
+    """a and b repeat in one way, c and d in another; e repeats nothing. One pool for all would hold every row."""
+    columns = {name: Column("u4", rows_of=None if name == "a" else "a", group="g") for name in "abcde"}
+    rng = np.random.default_rng(2)
+    one, two = rng.integers(0, 40, 6000), rng.integers(0, 50, 6000)
+    values = {
+        "a": one * 70_000, "b": one * 90_000, "c": two * 110_000, "d": two * 130_000,
+        "e": rng.permutation(6000).astype(np.int64) * 600_000,
+    }  # fmt: skip
+    stored = pack_group(values, columns)
+    index = {name: None if each is None else each.index for name, each in stored.items()}
+    assert index["a"] is index["b"] is not None
+    assert index["c"] is index["d"] is not None
+    assert index["a"] is not index["c"]
+    assert index["e"] is None
+    for name, column in columns.items():
+        each = stored[name]
+        assert each is not None
+        assert each.array(column).tolist() == values[name].tolist()
+
+
 @given(st.data())
 def test_every_column_comes_back_bit_for_bit(data: st.DataObject) -> None:
     column = data.draw(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from jktools.compiler import CompiledLevel, CompileSettings, compile_level
-from jktools.compiler.reader import Section
+from jktools.compiler.section import Section
 from tests.support.levels import level_of, level_with_files, two_rooms
 
 LAMP = [

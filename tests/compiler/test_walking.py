@@ -128,6 +128,10 @@ def test_a_level_part_of_an_edge_goes_from_ledge_to_ledge() -> None:
     beside = compiled.leave(0, 0, (0.05, 0.5, 0.12), (0.05, 1.5, 0.12))
     assert (beside.kind, beside.drop) == (Kind.FALL, pytest.approx(0.6))
     assert beside.ledge.start == found.ledge.end
+    top = [(x, y, 0.0) for x, y in ((0.1, 1.0), (0.9, 1.0), (0.9, 1.8), (0.1, 1.8))]
+    back = compiled.leave(0, ThingFace(2, PLACED, 0, top), (0.5, 1.5, 0.12), (0.5, 0.5, 0.12))
+    assert (back.corner, back.kind, back.along, back.place) == (0, Kind.LEVEL, 0.5, 0.5)
+    assert math.isnan(back.drop), "the model of the thing tells how its own faces go on"
 
 
 def test_a_body_leaves_a_thing() -> None:

@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from jktools.engine.flags import PhysicsFlag
 from jktools.engine.thrust import actor_acceleration
 from jktools.geometry.collision import SOLID, Collision
 from jktools.trace.in_level import LevelSimulation
 from jktools.trace.stage import Stage
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
-FLIES = 0x2000
-"""Physics flag."""
 
 
 class LiveCollision(Collision):
@@ -59,7 +58,7 @@ class Body(LevelSimulation):
             return super()._own_acceleration(thrust, crouching, dt)
         return actor_acceleration(
             self.body, self.goal - self.position, move_speed=self.ai_speed,
-            three_dimensional=bool(self.body.physflags & FLIES),
+            three_dimensional=bool(self.body.physflags & PhysicsFlag.FLIES),
         )  # fmt: skip
 
 

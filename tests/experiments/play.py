@@ -26,7 +26,7 @@ from jktools.engine.thrust import ACTOR_READABLE_THRUST, Keys
 from jktools.trace.in_level import body_named
 from jktools.trace.script import parse
 from jktools.trace.stage import Start, stage_of
-from tests.experiments.living import FLIES, Array, Body, LiveCollision, Thing
+from tests.experiments.living import Array, Body, LiveCollision, Thing
 from tests.experiments.scripts import Placed, placed, program
 from tests.experiments.smithdev import ACTOR, DEBRIS, PLAYER, WEAPON, Experiment
 from tests.experiments.verbs import Running
@@ -57,7 +57,7 @@ class Moment(NamedTuple):
 
 
 class Play:
-    """One chamber in play, with a player who starts at a thing of it, or at a point and a sector."""
+    """One chamber in play, with a player in it."""
 
     def __init__(
         self, smithdev: Experiment, start: str, *, body: str = "walkplayer", engine: Engine = Engine.RESEARCH,
@@ -143,7 +143,7 @@ class Play:
 
     def living(self, template: str) -> list[Thing]:
         """The things of a template that are in play, the oldest first."""
-        return [thing for thing in self.things.values() if thing.template == template and thing.died is None]
+        return [thing for thing in self.things.values() if thing.template == template]
 
     # ---- what scripts do
 
@@ -308,7 +308,7 @@ class Play:
         body = body_named(self.smithdev.level, thing.template)
         thing.body = Body(self.stage, Start((x, y, z), thing.sector, yaw), body, self.engine)
         thing.body.level_ground.collision = self.collision
-        if not body.physflags & FLIES and body.physflags & PhysicsFlag.FLOOR_STICK:
+        if not body.physflags & PhysicsFlag.FLIES and body.physflags & PhysicsFlag.FLOOR_STICK:
             thing.body.rest_on_ground()
         thing.place = thing.body.position
 

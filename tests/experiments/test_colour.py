@@ -158,6 +158,7 @@ def test_tint(smithdev: Experiment) -> None:
     assert shown(smithdev, call(tint=(2, 0, 0)), WHITE) == (255, 0, 0)
     rests = [shown(smithdev, call(tint=(x, 0, 0)), WHITE)[1] for x in (0.5, 1, 1.5, 2)]
     assert np.abs(np.diff([255, *rests]) + 255 / 4).max() <= 255 / 63
+    assert "tint" in GOLDEN["color"]["equal"]["equal_on_all_channels_has_no_effect"]
     for x in (1, 2):
         assert picture(smithdev, call(tint=x)) == list(MEASURED)
 
@@ -171,6 +172,7 @@ def test_filter(smithdev: Experiment) -> None:
     for filters in ((1, 1, 0), (1, 0, 1), (0, 1, 1)):
         expected = [tuple(c * f for c, f in zip(color, filters, strict=True)) for color in MEASURED]
         assert picture(smithdev, call(filters)) == expected
+    assert "filter" in GOLDEN["color"]["equal"]["equal_on_all_channels_has_no_effect"]
     assert picture(smithdev, call(1)) == list(MEASURED)
 
 
@@ -223,16 +225,29 @@ def test_filter_and_brightness_and_tint(smithdev: Experiment) -> None:
     samples(smithdev, call((1, 0, 0), (2, 0, 0), brightness=0.5))
 
 
+def arguments(call: str, rank: int) -> list[float]:
+    """The numbers of a call as the document quotes it, at a jedi rank."""
+    inside, _, rest = call.partition("(")[2].partition(")")
+    assert rest in ("", ", rank 0..8")
+    return [float(eval(word, {"__builtins__": {}}, {"rank": rank})) for word in inside.split(",")]
+
+
 def test_coloreffect_according_to_datamaster(smithdev: Experiment) -> None:
-    """Its ranges hold for the game's own calls, of which the greatest is just the greatest add."""
-    assert "rank 0..8" in GOLDEN["color"]["real_calls"]["kyle.cog"]
-    for rank in (0, 8):
-        blinding = call(add=(200 + 8 * rank, 210 + 10 * rank, 200 + 8 * rank))
+    """Its ranges hold for the game's own calls, of which the greatest is just the greatest add.
+
+    `sd_blinding.cog` and `sd_seeing.cog` in play make those calls, to the number.
+    """
+    real, play = GOLDEN["color"]["real_calls"], Play(smithdev, f"{ROOM}/door")
+    for i, rank in enumerate((0, 8), start=1):
+        play.press(f"switch {i}")
+        play.press(f"switch {i + 2}")
+        blinding, seeing = (arguments(real[script], rank) for script in ("kyle.cog", "force_seeing.cog"))
+        assert play.effects[-2:] == [tuple(blinding), tuple(seeing)]
         drawn = shown(smithdev, blinding, BLACK, f"blinding {rank}")
         assert drawn[1] > drawn[0] == drawn[2] or drawn[1] == 255
         assert (drawn[1] == 255) is (max(blinding[6:9]) >= GOLDEN["color"]["max_add"])
-        seeing = after(smithdev, call((0, 1, 1)), f"seeing {rank}")
-        assert not seeing[:, 0].any() and seeing[:, 1:].any(axis=0).all()
+        seen = after(smithdev, seeing, f"seeing {rank}")
+        assert not seen[:, 0].any() and seen[:, 1:].any(axis=0).all()
 
 
 def test_ir_mode(smithdev: Experiment) -> None:
@@ -241,9 +256,10 @@ def test_ir_mode(smithdev: Experiment) -> None:
     `sd_seeing.cog` in play, placed for rank 0 and for rank 8; its second press ends it.
     """
     play, levels = Play(smithdev, f"{ROOM}/door"), []
-    for switch in ("switch 3", "switch 4"):
+    for switch, rank in (("switch 3", 0), ("switch 4", 8)):
         play.press(switch)
         assert play.infrared is not None
+        assert play.infrared == pytest.approx(arguments(GOLDEN["ir_mode"]["force_seeing.cog"], rank)[0], rel=1e-6)
         levels.append(play.infrared)
         play.press(switch)
         assert play.infrared is None

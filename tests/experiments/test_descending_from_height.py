@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from jktools.engine.reattach import search_distance
 from jktools.facts.ledges import Kind
 from tests.experiments.conftest import Compile
 from tests.experiments.smithdev import GOLDEN, HANDLE, Experiment
@@ -100,6 +101,11 @@ def test_raycast_distance(smithdev: Experiment, offset: str) -> None:
     limit = float(ledges.body_reattach[smithdev.body(template)])
     assert limit == pytest.approx(changeover(offset)["predicted"], abs=1e-7)
     assert changeover(offset)["low"] <= round(limit, 6) <= changeover(offset)["high"]
+    # "If the origin of the raycast is at the player's position then the insert offset should be added again."
+    assert GOLDEN["reattach"]["from_position_adds"] == "insert_offset_z"
+    if float(offset) >= GOLDEN["walkplayer"]["movesize"]:
+        reach = search_distance(float(offset), GOLDEN["walkplayer"]["movesize"], attached=True)
+        assert reach == pytest.approx(limit + float(offset), abs=1e-7)
 
 
 @pytest.mark.parametrize("offset", ["0.01", "0.06"])

@@ -40,6 +40,7 @@ def test_baseline(compiled: Compile, trace: Run, engine: str) -> None:
     measured = GOLDEN["steady_speed"]["walk_floor"]
     level = compiled("--engine", engine)
     name = player(level, "walkplayer")
+    assert level.template(name)["surfdrag"] == measured["drag"]
     walk = trace("0 walk forward\n7 release\n9 end", FLOOR, "--body", name, "--engine", engine)
     assert walk.attached.all() and walk.said == []
     assert np.linalg.norm(walk.thrust[1:351], axis=1).tolist() == pytest.approx([measured["thrust"]] * 350)
@@ -79,6 +80,7 @@ def test_non_floor_surface(compiled: Compile, trace: Run, engine: str) -> None:
     measured = GOLDEN["steady_speed"]["walk_non_floor"]
     level = compiled("--engine", engine)
     name = player(level, "walkplayer")
+    assert level.template(name)["airdrag"] == measured["drag"]
     slide = trace("0 walk forward\n15 end", NO_FLOOR, "--body", name, "--engine", engine)
     assert not slide.attached.any()
     assert slide.thrust[-1, 1] == pytest.approx(measured["thrust"])
@@ -172,6 +174,7 @@ def test_no_staticdrag_is_like_ice(trace: Run, lane: str, engine: str) -> None:
 )
 def test_static_drag(compiled: Compile, trace: Run, name: str, threshold: float, engine: str) -> None:
     """Drawings 8 to 10: the drop to 0 is instant, from the first speed at or below the threshold."""
+    assert GOLDEN["static_drag"]["applies_when"] == "attached to a surface, no acceleration, speed <= staticdrag"
     level = compiled("--engine", engine)
     player(level, name, staticdrag=threshold)
     walk = trace("0 run forward\n7 release\n9 end", FLOOR, "--body", name, "--engine", engine)
@@ -197,6 +200,9 @@ def test_dynamic_drag_raw_data(smithdev: Experiment, trace: Run, row: dict[str, 
     script = f"0 velocity 0 1 0\n{row['seconds'] * 1.2} end"
     slowing = trace(script, FLOOR, "--body", name, "--fps", str(1 / frame))
     frames = int(np.flatnonzero(slowing.speed)[-1]) + 1
+    # What is left of the speed before it shows as 0.
+    slowest = float(slowing.speed[frames - 1])
+    assert slowest >= fit["rest_speed"] > slowest * (1 - row["surfdrag"] * frame)
     taken = (frames - fit["frames_lost"]) * frame
     assert taken == pytest.approx(row["seconds"], rel=fit["max_relative_error"])
 
@@ -207,6 +213,12 @@ def test_dynamic_drag_summary(smithdev: Experiment, trace: Run, tmp_path_factory
     name = player(smithdev, "vel_no_static", staticdrag=0)
     step = trace(f"0 velocity 0 {row['v0']} 0\n{frame} end", FLOOR, "--body", name, "--fps", str(1 / frame))
     assert step.speed[-1] == pytest.approx(row["v1"], abs=5e-7)
+    # Table 14 to its last digit, by the frame time that it gives; Table 13's two quotients by the timestamps.
+    lost = float(step.speed[-1]) - row["v0"]
+    assert (lost, lost / frame) == pytest.approx((row["dv"], row["acceleration"]), rel=1e-7)
+    assert row["t1"] - row["t0"] == pytest.approx(frame, abs=2e-6)
+    quotients = [lost / (row["t1"] - row["t0"]) / v for v in (row["v0"], float(step.speed[-1]))]
+    assert quotients == pytest.approx([row["coefficient_from_v0"], row["coefficient_from_v1"]], abs=2e-3)
     folder = tmp_path_factory.mktemp("fit")
     (folder / "keys.txt").write_text("0 velocity 0 1 0\n2 end\n")
     log = folder / "log.csv"

@@ -112,6 +112,7 @@ def test_decay(smithdev: Experiment) -> None:
     slow, fast = (counts(run(smithdev, name)) for name in ("lasting", "lasting_rate_128"))
     assert slow == fast == [COUNT] * 50 + [0] * 151
 
+    assert RULES["flags"]["0x08"] == "fade out at rate after the timer"
     fading = run(smithdev, "fading", 20.0)
     assert count_at(fading, 0.98) == COUNT
     losses = np.diff(counts(fading))
@@ -215,6 +216,7 @@ def test_coordinate_space(smithdev: Experiment) -> None:
     `sd_tank.cog` in play: the cloud is put on the tank under way, goes to the end with it, and back.
     """
     assert RULES["positions_are_local_to_thing"] is True and RULES["attached"].startswith("follows the thing")
+    assert RULES["motion"].startswith("of the thing")
     play = Play(smithdev, f"{ROOM}/bay")
     (tank,) = play.living("sd_tank")
     start = tank.place.copy()

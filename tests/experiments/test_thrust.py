@@ -40,6 +40,14 @@ def test_text_1_walking(trace: Run, way: str, engine: str) -> None:
 
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("way", WAYS)
+def test_text_1_factors_of_maxthrust(trace: Run, way: str, engine: str) -> None:
+    """'Template property maxthrust is used to determine baseline forward walk speed': the factors, at another one."""
+    walk = trace(f"0 walk {WAYS[way]}\n0.1 end", WELL, "--set", "maxthrust=0.8", "--engine", engine)
+    assert walk.thrust[-1] == exactly(axis_of(way, 0.8 * RULES[way]["factor"]))
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("way", WAYS)
 def test_text_1_running_and_crouching(trace: Run, way: str, engine: str) -> None:
     """A run doubles, crouching halves and hides the run."""
     script = f"0 run {WAYS[way]}\n0.5 crouch\n1 end"
@@ -141,6 +149,10 @@ def test_actors_move_by_maxthrust(smithdev: Experiment) -> None:
         record, motion = smithdev.template(name), smithdev.motion(name)
         assert record["maxthrust"] == pytest.approx(maxthrust, rel=1e-6)
         assert int(record["physflags"]) & rules["uses_thrust_physflag"]
+        if name == "sd_robotsentry":
+            assert motion["air"] == pytest.approx(maxthrust / record["airdrag"], rel=1e-6)
+            assert np.isnan(motion["walk"]), "it takes no floor"
+            continue
         assert motion["walk"] == pytest.approx(maxthrust / record["surfdrag"], rel=1e-6)
         # No penalty backwards or sideways: an AI is moved directly, not by keys.
         assert motion["back"] == motion["strafe"] == motion["walk"]
@@ -180,9 +192,9 @@ def test_actors_read_no_thrust(smithdev: Experiment, name: str, engine: Engine) 
     speeds = [float(words[2]) for words in printed]
     assert speeds[0] > 0 and speeds == sorted(speeds)
     # "A velocity analysis on actor movement shows a very similar result to the player's": maxthrust over drag.
-    record = smithdev.template(f"sd_{name}")
+    record, gait = smithdev.template(f"sd_{name}"), "walk" if name == "powerdroid" else "air"
     drag = record["surfdrag" if name == "powerdroid" else "airdrag"]
-    assert speeds[-1] == pytest.approx(record["maxthrust"] / drag, rel=1e-3)
+    assert speeds[-1] == pytest.approx(smithdev.motion(f"sd_{name}")[gait], rel=1e-3)
     # Straight to its goal while it looks the other way; only the flyer rises.
     axes = slice(0, 2 if name == "powerdroid" else 3)
     way, wanted = (actor.place - start)[axes], (goal - start)[axes]

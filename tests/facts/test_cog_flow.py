@@ -138,7 +138,7 @@ def test_labels_lead_into_each_other() -> None:
         ("startup", "sub", "call"), ("startup", "pulse", "goto"), ("startup", "timer", "falls"),
         ("timer", "pulse", "falls"),
     }  # fmt: skip
-    assert [(label.label.name, source) for label, source in each.reach.falls] == [
+    assert [(label.label.name, each.reach.label_of[ends[-1]]) for label, ends in each.reach.falls] == [
         ("timer", "startup"),
         ("pulse", "timer"),
     ]

@@ -10,11 +10,12 @@ import struct
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from random import Random
 
 import pytest
 
 from jktools.facts import LevelFacts
-from jktools.facts.camera import Camera, Frame, _window
+from jktools.facts.camera import Camera, Frame, _around, _before, _inside, _window
 from jktools.facts.in_view import Counted
 from jktools.linter import find_rule, lint
 from jktools.session import load
@@ -65,13 +66,31 @@ def test_a_texture_with_holes_shows_what_lies_behind(transparent: bool, tmp_path
 def test_the_rectangle_around_an_adjoin_lets_more_through_than_the_adjoin() -> None:
     """A triangle one JKU ahead: what is left is the rectangle around its corners, cut to the screen."""
     screen = (-1.0, 1.0, -0.75, 0.75)
-    assert _window([(-0.5, 1, -0.5), (0.5, 1, -0.5), (0, 1, 0.5)], screen) == (-0.5, 0.5, -0.5, 0.5)
-    assert _window([(-2, 2, 0), (6, 2, 0), (6, 2, 3)], screen) == (-1, 1, 0, 0.75)
-    assert _window([(-0.5, -1, -0.5), (0.5, -1, -0.5), (0, -1, 0.5)], screen) is None
-    assert _window([(3, 1, 0), (4, 1, 0), (4, 1, 0.5)], screen) is None
+    assert _window(_before([(-0.5, 1, -0.5), (0.5, 1, -0.5), (0, 1, 0.5)]), screen) == (-0.5, 0.5, -0.5, 0.5)
+    assert _window(_before([(-2, 2, 0), (6, 2, 0), (6, 2, 3)]), screen) == (-1, 1, 0, 0.75)
+    assert _window(_before([(-0.5, -1, -0.5), (0.5, -1, -0.5), (0, -1, 0.5)]), screen) is None
+    assert _window(_before([(3, 1, 0), (4, 1, 0), (4, 1, 0.5)]), screen) is None
     # A pixel of 640 is 1/320 at the distance 1.
-    assert _window([(0, 1, 0), (0.0032, 1, 0), (0, 1, 0.5)], screen) is not None
-    assert _window([(0, 1, 0), (0.0031, 1, 0), (0, 1, 0.5)], screen) is None
+    assert _window(_before([(0, 1, 0), (0.0032, 1, 0), (0, 1, 0.5)]), screen) is not None
+    assert _window(_before([(0, 1, 0), (0.0031, 1, 0), (0, 1, 0.5)]), screen) is None
+
+
+def test_a_window_is_what_clipping_alone_would_leave() -> None:
+    random = Random(1997)
+    kinds = set()
+    for _ in range(2000):
+        shape = _before([(random.uniform(-2, 2), random.uniform(-0.2, 2), random.uniform(-2, 2)) for _ in range(3)])
+        left, right = sorted((random.uniform(-1, 1), random.uniform(-1, 1)))
+        bottom, top = sorted((random.uniform(-0.75, 0.75), random.uniform(-0.75, 0.75)))
+        clipped = _inside(shape.corners, (left, right, bottom, top))
+        whole = _around(clipped) if len(clipped) >= 3 else None
+        found = _window(shape, (left, right, bottom, top))
+        if found is None:
+            assert whole is None or min(whole[1] - whole[0], whole[3] - whole[2]) < 2 / 640
+        else:
+            assert found == pytest.approx(whole)
+        kinds.add((found is None, clipped == shape.corners))
+    assert len(kinds) >= 3
 
 
 def test_translucent_surfaces_count_where_they_are_adjoined_drawn_and_face_the_camera() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 import numpy as np
@@ -23,7 +23,7 @@ from jktools.geometry.ledges import BEYOND, EdgeWalker, Over
 from jktools.linter import find_rule
 from jktools.model import Level
 from jktools.session import load
-from tests.support.boxes import box
+from tests.support.boxes import box, boxes
 from tests.support.levels import CORPUS, level_with_files
 
 PIT = find_rule("JK701").bad[0].lines
@@ -36,10 +36,15 @@ FRAMES = " move=path numframes=2 frame=(.5/1.4/{a}:0/0/0) frame=(.5/1.4/{b}:0/0/
 
 @contextmanager
 def with_box(
-    place: str, size: tuple[float, float, float] = FLAT, more: str = "", kind: str = KIND, name: str = "box"
+    place: str,
+    size: tuple[float, float, float] = FLAT,
+    more: str = "",
+    kind: str = KIND,
+    name: str = "box",
+    model: Sequence[str] = (),
 ) -> Iterator[Level]:
-    """The pit, and a box placed at x y z pitch yaw roll."""
-    files = [f"== 3do/{name}.3do", *box(*size)]
+    """The pit, and a box, or another model, placed at x y z pitch yaw roll."""
+    files = [f"== 3do/{name}.3do", *(model or box(*size))]
     lines = [*PIT, kind, "World things 3", f"2: lift crate {place} 1{more}"]
     lines = ["World templates 4" if line == "World templates 3" else line for line in lines]
     lines = [line + " maxthrust=2 surfdrag=3 maxvel=1" if line.startswith("walkplayer") else line for line in lines]
@@ -143,6 +148,32 @@ def test_the_file_names_the_thing_that_an_edge_is_of_and_the_one_come_onto() -> 
     assert set(held.onto_face[~onto].tolist()) == {-1}
     found = compiled.ledges_at(0, 0, 2)
     assert [Kind(each.kind) for each in found] == [Kind.FALL, Kind.FALL], "the box between them is level"
+
+
+@pytest.mark.parametrize(
+    ("height", "kind", "listed"),
+    [
+        (0.0, Kind.LEVEL, False), (-0.1, Kind.SEAMLESS, False), (-0.3, Kind.FALL, True), (0.05, Kind.STEP, False),
+        (0.065, Kind.LIP, False), (0.1, Kind.JUMP, False), (0.5, Kind.WALL, False),
+    ],
+)  # fmt: skip
+def test_of_a_thing_the_file_lists_what_takes_a_body_off_it_or_drops_it(
+    height: float, kind: Kind, listed: bool
+) -> None:
+    """Two boxes in one model, side by side along x, the second so much higher; both stand high above the pit."""
+    two = boxes((-0.4, -0.4, -0.1, 0, 0.4, 0), (0, -0.4, height - 0.8, 0.4, 0.4, height))
+    with with_box(".5 1.5 .4 0 0 0", model=two) as level:
+        facts = LevelFacts(level)
+        found, held = facts.ledges(facts.bodies[0]), CompiledLevel(compile_level(level)).ledges
+    across = (found.carrier_face == 0) & (found.onto == 2)
+    assert set(found.kind[across].tolist()) == {kind}
+    assert held is not None
+    first = (held.carrier == 2) & (held.carrier_face == 0)
+    assert (held.onto[first] == 2).any() == listed
+    assert set(held.kind[first & (held.onto != 2)].tolist()) == {Kind.FALL}, (
+        "the three other sides lead down to the pit"
+    )
+    assert len(set(held.corner[first & (held.onto != 2)].tolist())) == 3
 
 
 @pytest.mark.parametrize(("top", "ways"), [

@@ -157,6 +157,21 @@ def ai_speed(thrust: float, k: float, dt: float) -> float:
     return speed
 
 
+def test_what_takes_no_floor_flies_and_does_nothing_else() -> None:
+    """The game's robot sentry: 0.8 against an air drag of 2; without the flag that it flies by, not even that."""
+    sentry = "type=actor move=physics maxthrust=.8 surfdrag=3 airdrag=2 mass=30 jumpspeed=1.5"
+    found = motion(f"sentry none {sentry} physflags=0x6a06")
+    assert found.air == pytest.approx(0.4)
+    on_floors = ("walk", "back", "strafe", "run", "crouch")
+    assert all(math.isnan(getattr(found, name)) for name in on_floors)
+    ways = (found.stop_walk, found.jump_height, found.jump_reach)
+    assert all(math.isnan(end) for way in ways for end in way)
+    assert math.isnan(motion(f"sentry none {sentry} physflags=0x4a06").air)
+    # A floor's flag makes a walker of it, and it flies still.
+    both = motion(f"sentry none {sentry} physflags=0x6a46")
+    assert (both.walk, both.air) == pytest.approx((0.8 / 3, 0.4))
+
+
 def test_an_ai_pushes_before_the_drag_in_the_decompiled_engine() -> None:
     line = "guard none type=actor move=physics physflags=0x4f mass=1 maxthrust=.8 surfdrag=2 airdrag=.5"
     found = motion(line, engine=Engine.OPENJKDF2)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from jktools.compiler import CompiledLevel, CompileSettings, compile_level
-from jktools.compiler.reader import Section
+from jktools.compiler.section import Section
 from jktools.engine.body import Body
 from jktools.engine.flags import SectorFlag
 from jktools.engine.profile import Engine

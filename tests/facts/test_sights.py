@@ -50,6 +50,6 @@ def test_a_body_that_reaches_out_of_a_wall_and_null_things() -> None:
     assert jktools.sights(level, pairs) == [sight(level, a, b).verdict for a, b in pairs]
     assert jktools.sights(level, pairs)[3:] == [Verdict.VISIBLE, Verdict.VISIBLE]
     assert jktools.sights(level, [(0, 9), (0, 3)], engine="openjkdf2") == [Verdict.NULL_THING, Verdict.VISIBLE]
-    with pytest.raises(EndpointError, match="pair 1: 9 is neither"):
+    with pytest.raises(EndpointError, match="pair 1: the level has no thing with number 9"):
         jktools.sights(level, [(0, 1), (0, 9)])
     assert jktools.sights(level, []) == []

@@ -111,10 +111,11 @@ null thing: HasLOS answers -1, which scripts take for true
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("5", "0"), "5 is neither the number of a thing nor x,y,z"),
+        (("5", "0"), "the level has no thing with number 5"),
         (("2", "0"), "thing 2 (ghost) is not in the level: sector 7 does not exist"),
         (("9,9,9", "0"), "(9, 9, 9) lies in no sector"),
-        (("1,2", "0"), "1,2 is not a point x,y,z"),
+        (("1,2", "0"), "1,2 is not a point x,y,z: expected three numbers"),
+        (("1,2,nan", "0"), "1,2,nan is not a point x,y,z: a number is not finite"),
     ],
 )
 def test_ends_that_are_nowhere(tmp_path: Path, words: tuple[str, str], message: str) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from jktools.diagnostics.wording import counted, numbered
+from jktools.diagnostics.wording import counted, miscounted, numbered
 
 
 @pytest.mark.parametrize(("count", "said"), [
@@ -17,3 +17,8 @@ def test_what_there_is_to_name(count: int, said: str) -> None:
 @pytest.mark.parametrize(("count", "said"), [(0, "0 joints"), (1, "1 joint"), (2, "2 joints")])
 def test_how_many_there_are(count: int, said: str) -> None:
     assert counted(count, "joint") == said
+
+
+@pytest.mark.parametrize(("found", "said"), [(0, "0 follow"), (1, "1 follows"), (2, "2 follow")])
+def test_a_heading_that_is_wrong(found: int, said: str) -> None:
+    assert miscounted(3, "vertices", found) == f"the heading announces 3 vertices, but {said}"

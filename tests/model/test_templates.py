@@ -9,7 +9,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from jktools.model import Level
-from jktools.model.templates import Reason, Resolved
+from jktools.model.resolved import Reason, Resolved
 from jktools.source import Source
 from jktools.syntax.jkl import read_library
 from jktools.syntax.template.parameters import MOST_FRAMES, PARAMETERS, TYPES

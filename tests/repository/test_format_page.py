@@ -1,65 +1,81 @@
-"""The page on the file format: every field is told, and its examples run."""
+"""docs/format.md: the code that reads a file without the runtime is compiled as it stands there, and run."""
 
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
-from jktools.compiler import compile_level
-from jktools.compiler.columns import SECTIONS, camel_case
-from tests.support.levels import ROOT, TWO_ROOMS, level_of
-from tools.format_page import SCHEMA, tables
+from jktools.compiler import CompiledLevel, CompileSettings, compile_level
+from jktools.model import Level
+from tests.runtime.compiler import FLATBUFFERS, compiler
+from tests.support.halls import halls
+from tests.support.levels import ROOT, level_of, two_rooms
 
-PAGE = (ROOT / "docs/format.md").read_text()
-EXAMPLES = dict(re.findall(r"^```(cpp|python)\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL))
+MAIN = r"""
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <vector>
 
-
-def test_a_field_without_a_doc_comment_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"gravity: float; has no doc comment"):
-        tables("/// The header.\ntable World {\n  gravity: float;\n}\n")
-    with pytest.raises(ValueError, match=r"table World { has no doc comment"):
-        tables("table World {\n}\n")
-
-
-def test_every_field_is_on_the_page() -> None:
-    for table in tables(SCHEMA.read_text()).values():
-        assert f"\n### {table.name}\n" in PAGE
-        part = PAGE.split(f"\n### {table.name}\n")[1].split("\n### ")[0]
-        for field in table.fields:
-            assert field.name.endswith("_packed") or f"| `{field.name}` |" in part, f"{table.name}.{field.name}"
-
-
-def test_the_page_says_what_an_absent_column_holds() -> None:
-    """A reader that has the page alone fills a column that is neither plain nor packed with 0, or with -1."""
-    for section, columns in SECTIONS.items():
-        part = PAGE.split(f"\n### {camel_case(section)}\n")[1].split("\n### ")[0]
-        rows = dict(re.findall(r"^\| `(\w+)` \| [^|]* \| [^|]* \| ([^|]*) \|", part, re.MULTILINE))
-        told = {name for name, counts in rows.items() if counts.endswith("or -1")}
-        assert rows.keys() == columns.keys()
-        assert told == {name for name, column in columns.items() if column.or_none}, section
-
-
-def test_the_python_example_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "lagoon.jklb").write_bytes(compile_level(level_of(TWO_ROOMS)))
-    exec(compile(EXAMPLES["python"], "docs/format.md", "exec"), {})
+int main(int, char** words) {
+    std::ifstream in(words[1], std::ios::binary);
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+    std::vector<std::uint64_t> aligned(bytes.size() / 8 + 1);
+    std::memcpy(aligned.data(), bytes.data(), bytes.size());
+    const auto* data = reinterpret_cast<const std::uint8_t*>(aligned.data());
+    if (!open(data, bytes.size())) return 1;
+    const auto* level = jktools::GetLevel(data);
+    const auto* g = level->geometry();
+    for (std::uint32_t s = 0; s < std::strtoul(words[2], nullptr, 10); ++s) {
+        const std::uint32_t first = number(COLUMN(g, surface_corner_start), s);
+        const std::uint32_t end = number(COLUMN(g, surface_corner_start), s + 1);
+        for (std::uint32_t k = 0; k < end - first; ++k)
+            for (const float x : corner(g, s, k)) std::printf("%a ", x);
+        for (unsigned lane = 0; lane < 3; ++lane) std::printf("%a ", number(COLUMN(g, surface_normal), s, 3, lane));
+        std::printf("%d\n", number(COLUMN(g, surface_adjoin), s, 1, 0, -1));
+    }
+    for (std::uint32_t i = 0; i < std::strtoul(words[3], nullptr, 10); ++i) std::printf("%s\n", text(level, i).c_str());
+}
+"""
+NAMES = level_of(two_rooms("World sounds 60", *(f"squeak_{i:02}.wav" for i in range(60))))
 
 
-def test_the_cpp_example_compiles(tmp_path: Path) -> None:
-    compiler = shutil.which("c++")
-    if compiler is None:
-        pytest.skip("there is no C++ compiler at hand")
-    source = tmp_path / "example.cpp"
-    source.write_text(EXAMPLES["cpp"])
-    includes = [ROOT / "runtime", Path(sys.prefix, "include")]
-    done = subprocess.run(
-        [compiler, "-std=c++17", "-Wall", "-Wextra", "-fsyntax-only", *(f"-I{each}" for each in includes), str(source)],
-        capture_output=True, text=True, check=False,
-    )  # fmt: skip
+@pytest.fixture(scope="module")
+def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    found = compiler()
+    if found is None:
+        pytest.skip("no C++ compiler is at hand")
+    (code,) = re.findall(r"```cpp\n(.*?)```", (ROOT / "docs/format.md").read_text(), re.DOTALL)
+    folder = tmp_path_factory.mktemp("page")
+    (folder / "page.cpp").write_text(code + MAIN)
+    command = [
+        found, "-std=c++17", "-Wall", "-Wextra", "-Werror", "-I", str(ROOT / "runtime"), "-isystem", str(FLATBUFFERS),
+        str(folder / "page.cpp"), "-o", str(folder / "page"),
+    ]  # fmt: skip
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    assert "example.cpp" not in done.stderr
+    return folder / "page"
+
+
+@pytest.mark.parametrize("plain", [False, True])
+@pytest.mark.parametrize("accuracy", ["balanced", "fast"])
+@pytest.mark.parametrize("level", [halls(), NAMES], ids=["halls", "names"])
+def test_the_page_reads_what_python_reads(
+    program: Path, tmp_path: Path, level: Level, accuracy: str, plain: bool
+) -> None:
+    path = tmp_path / "level.jklb"
+    path.write_bytes(compile_level(level, CompileSettings(accuracy=accuracy, plain=plain)))  # type: ignore[arg-type]
+    held = CompiledLevel(path.read_bytes())
+    words = [str(len(held.surface_flags)), str(len(held.strings))]
+    lines = subprocess.run([program, path, *words], capture_output=True, text=True, check=True).stdout.splitlines()
+    corners = held.vertices[held.corner_vertex]
+    start = held.surface_corner_start.tolist()
+    for s, line in enumerate(lines[: len(held.surface_flags)]):
+        *numbers, adjoin = line.split()
+        wanted = [*corners[start[s] : start[s + 1]].reshape(-1).tolist(), *held.surface_normal[s].tolist()]
+        assert [float.fromhex(each) for each in numbers] == wanted
+        assert int(adjoin) == held.surface_adjoin[s]
+    assert tuple(lines[len(held.surface_flags) :]) == held.strings

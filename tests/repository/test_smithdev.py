@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 import jktools
-from fixtures.smithdev.pack import EXPECTED, GOB, HERE, JKL, made_files
+from fixtures.smithdev.pack import EXPECTED, GOB, HANDLES, HERE, JKL, made_files
 from jktools.source import Container, resolve
 from tests.support.levels import ROOT
 
@@ -47,8 +47,9 @@ def test_the_pack_holds_the_loose_files() -> None:
     assert GOB.stat().st_size < 1_500_000
 
 
-def found() -> list[dict[str, Any]]:
-    command = [str(Path(sys.executable).parent / "jktools"), "lint", str(GOB), "--format", "json", "--config", "none"]
+def found(*options: str) -> list[dict[str, Any]]:
+    words = ["lint", str(GOB), "--format", "json", "--config", "none", *options]
+    command = [str(Path(sys.executable).parent / "jktools"), *words]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=600)
     assert done.returncode in (0, 1), done.stderr
     rows: list[dict[str, Any]] = json.loads(done.stdout)["diagnostics"]
@@ -71,6 +72,25 @@ def test_lint_finds_what_is_meant_and_nothing_else() -> None:
     # Four rims lie on one walkway: the depths tell them apart.
     meant = [re.findall(r"pit of ([\d.]+),", row["reason"]) for row in rows if row["code"] == "JK703"]
     assert [re.findall(r"is ([\d.]+) JKU", row["message"]) for row in lines if row["code"] == "JK703"] == meant
+
+
+@pytest.mark.parametrize("game", ["jk", "mots"])
+def test_every_rule_there_is_finds_no_more_than_the_page_says(game: str) -> None:
+    """With the rules that are off by default: nooks that nobody walks into, rises, and the flag without effect."""
+    handles = json.loads(HANDLES.read_text("ascii"))
+    usual = {row["code"] for row in json.loads(EXPECTED.read_text("ascii"))}
+    more = [row for row in found("--select", "JK", "--game", game) if row["code"] not in usual]
+    tunnels = handles["light_test_bed"]["about"]["tunnels"]
+    assert Counter(row["code"] for row in more if row["code"] != "JK704") == {
+        "JK227": sum(map(len, tunnels.values())), "JK742": 2,
+    }  # fmt: skip
+    nooks = {number for name, number in handles["light_test_bed"]["sectors"].items() if name.startswith("tunnel")}
+    assert {row["object"]["index"] for row in more if row["code"] == "JK227"} < nooks
+    flags = {handles["particle_room"]["about"]["variants"][name] for name in ("flag_0x02", "all_flags")}
+    assert {row["object"]["name"] for row in more if row["code"] == "JK742"} == flags
+    uneven = [handles[name]["surfaces"].values() for name in ("pit_rows", "insert_offset", "walkway")]
+    known = {surface for chamber in uneven for surfaces in chamber for surface in surfaces}
+    assert {row["object"]["index"] for row in more if row["code"] == "JK704"} <= known
 
 
 def test_every_sector_is_reached_from_the_hub() -> None:

@@ -61,8 +61,8 @@ void ask(const jklb::Level& level) {
             ledges.leave(mesh, body, face, points[0], points[1]);
         }
     }
-    for (std::size_t i = 0; i < level.strings(); ++i) std::string(level.string(i)).c_str();
-    if (const auto& t = level.sections().templates) read(t->value_text), read(t->number), read(t->list_number);
+    for (std::size_t i = 0; i < level.strings(); ++i) level.string(i);
+    if (const auto& t = level.sections().templates) read(t->value_text), read(t->number), read(t->list_number), read(t->own_list), read(t->base);
     if (const auto& t = level.sections().things) read(t->angles), read(t->template_);
     read(level.geometry().surface_normal), read(level.geometry().sector_tint);
 }

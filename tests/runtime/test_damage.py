@@ -14,12 +14,16 @@ import pytest
 from jktools.compiler import CompiledFileError, CompiledLevel, compile_level
 from tests.runtime.compiler import PLAIN, SANITIZED, built
 from tests.support.halls import halls
-from tests.support.levels import ROOT, TWO_ROOMS, level_of
+from tests.support.levels import ROOT, level_of, two_rooms
 
 FUZZ = bool(os.environ.get("JKTOOLS_FUZZ"))
 STRIDE = 1 if FUZZ else 5
-COMPILED = compile_level(level_of(TWO_ROOMS))
-OLD = ("two_rooms_1_0.jklb", "two_rooms_1_1.jklb")
+NAMES = (
+    "World sounds 60", *(f"squeak_{i:02}.wav" for i in range(60)), "World templates 9", "guard walkplayer health=60",
+)  # fmt: skip
+COMPILED = compile_level(level_of(two_rooms(*NAMES)))
+"""With texts by symbols, and a template that rests on another."""
+OLD = ("two_rooms_1_0.jklb", "two_rooms_1_1.jklb", "two_rooms_1_2.jklb")
 
 
 @pytest.fixture(scope="session")

@@ -170,6 +170,18 @@ def test_ways_over_things_are_those_of_python(jklb_query: Path, tmp_path: Path) 
     ]  # fmt: skip
 
 
+def test_a_way_from_a_thing_to_a_floor_at_its_height(jklb_query: Path, tmp_path: Path) -> None:
+    with with_box(".5 1.4 -.5 0 0 0", (0.4, 0.4, 0.5)) as level:
+        path, _ = compiled_at(tmp_path, level)
+    ways = "0 2 placed 0 .5 1.4 .12 {} .12 .1 1 0 .9 1 0 .9 1.8 0 .1 1.8 0"
+    asked = ["leave-thing " + ways.format(target) for target in (".5 .6", ".5 2.2")]
+    back, on = answers(jklb_query, path, asked)
+    assert back == "leaves by corner 0 at 0.5, 0.5 along the way: level"
+    assert re.fullmatch(
+        r"leaves by corner 2 at 0\.5, 0\.5 along the way: fall, surface 6, 0\.6\d* JKU down, detaches", on
+    )
+
+
 def test_what_is_no_edge_of_a_floor_is_not_said_to_be_level(jklb_query: Path, tmp_path: Path) -> None:
     path, compiled = compiled_at(tmp_path, halls())
     count = len(compiled.surface_flags)

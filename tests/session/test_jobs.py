@@ -9,8 +9,9 @@ from typing import Any
 
 import pytest
 
+import jktools.session.jobs
 from jktools.compiler import CompileSettings
-from jktools.session import Settings, batch, build_all
+from jktools.session import Settings, build_all
 from jktools.source import InputError
 from tests.support.levels import TWO_ROOMS, gob_of, two_rooms
 from tests.support.packs import write
@@ -71,10 +72,7 @@ class BreakingPool:
         self.broken = False
         initializer(*arguments)
 
-    def __enter__(self) -> BreakingPool:
-        return self
-
-    def __exit__(self, *error: object) -> None:
+    def shutdown(self) -> None:
         pass
 
     def submit(self, work: Any, number: int, target: Path) -> Future[Any]:
@@ -90,7 +88,7 @@ class BreakingPool:
 def test_a_process_that_ends_loses_no_other_level(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name in "abcd":
         (tmp_path / f"{name}.jkl").write_text(TWO_ROOMS)
-    monkeypatch.setattr(batch, "ProcessPoolExecutor", BreakingPool)
+    monkeypatch.setattr(jktools.session.jobs, "ProcessPoolExecutor", BreakingPool)
     built = build_all([str(tmp_path)], tmp_path / "out", jobs=2)
     assert [Path(target).stem for _, target, *_ in built.written] == ["a", "c", "d"]
     (bug,) = built.bugs

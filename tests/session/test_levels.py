@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from jktools.compiler import compile_level
 from jktools.session import Settings, build_all, check, discover, load
 from jktools.source import InputError
-from tests.support.levels import TWO_ROOMS, gob_of, two_rooms
+from tests.support.levels import TWO_ROOMS, gob_of, level_of, two_rooms
 from tests.support.packs import gob_files, write, zip_of
 
 ROOMS = TWO_ROOMS.encode()
@@ -104,3 +105,13 @@ def test_load_does_not_choose_a_level_while_a_pack_beside_it_is_broken(site: Pat
     write(site / "two/broken.gob", CUT)
     with pytest.raises(InputError, match=r"cannot read two/broken\.gob"):
         load("two")
+
+
+@pytest.mark.parametrize("name", ["rooms.jklb", "rooms.bin"])
+def test_a_compiled_level_is_no_source(tmp_path: Path, name: str) -> None:
+    """By its ending or its first bytes: what needs the source says so."""
+    (tmp_path / name).write_bytes(compile_level(level_of(TWO_ROOMS)))
+    with pytest.raises(
+        InputError, match=rf"cannot read .*{name} as a source: it is a compiled level; name what it was"
+    ):
+        load(str(tmp_path / name))

@@ -21,13 +21,13 @@ RADIUS 4
 GEOMETRYMODE 4
 LIGHTINGMODE 3
 TEXTUREMODE 1
-VERTICES 8
+VERTICES {corners}
 {vertices}
 TEXTURE VERTICES 1
 0: 0 0
 VERTEX NORMALS
 {normals}
-FACES 6
+FACES {sides}
 {faces}
 FACE NORMALS
 {face_normals}
@@ -44,14 +44,22 @@ RINGS = {
 
 def box(x: float, y: float, z: float) -> list[str]:
     """Write the model of a box by its half sizes, JKU, around the thing's place."""
-    corners = list(product((-x, x), (-y, y), (-z, z)))
+    return boxes((-x, -y, -z, x, y, z))
+
+
+def boxes(*corners: tuple[float, float, float, float, float, float]) -> list[str]:
+    """Write the model of boxes by their least and greatest corners, JKU from the thing's place; six faces each."""
+    points = [point for low in corners for point in product(*zip(low[:3], low[3:], strict=True))]
+    faces = [(8 * which, ring) for which in range(len(corners)) for ring in RINGS.values()]
+    normals = [normal for _ in corners for normal in RINGS]
     text = HEAD.format(
-        vertices="\n".join(f"{i}: {a} {b} {c} 1" for i, (a, b, c) in enumerate(corners)),
-        normals="\n".join(f"{i}: 0 0 1" for i in range(8)),
+        corners=len(points), sides=len(faces),
+        vertices="\n".join(f"{i}: {a} {b} {c} 1" for i, (a, b, c) in enumerate(points)),
+        normals="\n".join(f"{i}: 0 0 1" for i in range(len(points))),
         faces="\n".join(
-            f"{i}: -1 0x0 4 3 1 0 4 " + " ".join(f"{corner}, 0" for corner in ring)
-            for i, ring in enumerate(RINGS.values())
+            f"{i}: -1 0x0 4 3 1 0 4 " + " ".join(f"{first + corner}, 0" for corner in ring)
+            for i, (first, ring) in enumerate(faces)
         ),
-        face_normals="\n".join(f"{i}: {a} {b} {c}" for i, (a, b, c) in enumerate(RINGS)),
-    )
+        face_normals="\n".join(f"{i}: {a} {b} {c}" for i, (a, b, c) in enumerate(normals)),
+    )  # fmt: skip
     return text.rstrip().split("\n")

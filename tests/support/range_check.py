@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -21,7 +23,7 @@ def first_fault(stored: Stores, strings: int, size: int) -> str | None:
     The FlatBuffers verifier accepts an index of 2 billion; after this check no index of the file can lead
     outside its arrays, and every `*_start` column cuts its array in order.
     """
-    return columns_fault(SECTIONS, stored, strings, size) or _surface_ranges(stored)
+    return columns_fault(SECTIONS, stored, strings, size) or _surface_ranges(stored) or _bases(stored)
 
 
 def columns_fault(declared: Mapping[str, Mapping[str, Column]], stored: Stores, strings: int, size: int) -> str | None:
@@ -40,14 +42,31 @@ def columns_fault(declared: Mapping[str, Mapping[str, Column]], stored: Stores, 
 
 
 def text_fault(stored: Mapping[str, Stored], size: int) -> str | None:
-    """What is wrong with the columns of the strings; else each has a zero byte behind it."""
+    """What is wrong with the columns of the strings; else each can be read."""
     fault = columns_fault({"level": TEXT}, {"level": stored}, 0, size)
     if fault:
         return fault
     start = stored["text_start"].array(TEXT["text_start"]).astype(np.int64)
     text = stored["text"].array(TEXT["text"])
+    symbols = stored["symbols"].array(TEXT["symbols"]).tobytes() if "symbols" in stored else b""
+    if symbols:
+        return _coded_fault([text[a:b].tobytes() for a, b in pairwise(start.tolist())], symbols)
     if (np.diff(start) < 1).any() or text[start[1:] - 1].any():
         return "level.text should have a zero byte behind each string, but has not"
+    return None
+
+
+def _coded_fault(texts: Sequence[bytes], symbols: bytes) -> str | None:
+    known = symbols.split(b"\0")
+    if known.pop() or not all(1 <= len(each) <= 255 for each in known) or len(known) > 127:
+        return "level.symbols should be up to 127 of up to 255 bytes, each with a zero byte behind it"
+    for i, text in enumerate(texts):
+        # What stands behind a 255 says nothing of itself.
+        plain = re.sub(rb"\xff.", b"", text, flags=re.DOTALL)
+        wrong = next((code for code in plain if code >= 128 + len(known)), None)
+        if wrong is not None:
+            missing = "nothing behind it" if wrong == 255 else f"there are {len(known)} symbols"
+            return f"level.text {i} has the code {wrong}, but {missing}"
     return None
 
 
@@ -124,3 +143,12 @@ def _surface_ranges(stored: Stores) -> str | None:
         return None
     i = wrong[0]
     return f"geometry.sector_first_surface {i} claims {count[i]} surfaces from {first[i]}, but there are {there}"
+
+
+def _bases(stored: Stores) -> str | None:
+    base = stored.get("templates", {}).get("base")
+    if base is None:
+        return None
+    values = base.array(SECTIONS["templates"]["base"])
+    wrong = np.flatnonzero(values >= np.arange(len(values)))
+    return f"templates.base {wrong[0]} is {values[wrong[0]]}, which does not come before it" if len(wrong) else None

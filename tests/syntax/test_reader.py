@@ -8,6 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from jktools.model import Level
+from jktools.source import Source
+from jktools.syntax.jkl import read
 from tests.support.levels import TWO_ROOMS, level_of, two_rooms
 
 
@@ -152,6 +154,14 @@ def test_faults_are_bounded() -> None:
     level = level_of(TWO_ROOMS.replace("World vertices 12", f"World vertices 5012\n{broken}"))
     assert len(level.diagnostics) == 1001
     assert level.diagnostics[0].message == "1000 faults are reported, but the file has 4000 more"
+
+
+def test_what_is_not_told_is_counted_alike_by_both_readers() -> None:
+    """The grammar is asked for every record when it is strict: those that are well-formed are no faults."""
+    broken = "\n".join(f"{12 + i}: x" for i in range(1007))
+    source = Source("x.jkl", TWO_ROOMS.replace("11: 0 2 1\n", f"11: 0 2 1\n{broken}\n").encode())
+    counted = [read(source, strict_grammar=strict).diagnostics[0].message for strict in (False, True)]
+    assert counted == ["1000 faults are reported, but the file has 8 more"] * 2  # seven, and the number announced
 
 
 def test_a_continued_line_has_spans_in_both_its_parts() -> None:

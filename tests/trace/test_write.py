@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,7 +10,7 @@ import pytest
 from jktools.engine.simulation import Phase
 from jktools.engine.thrust import Keys
 from jktools.trace import recording
-from jktools.trace.write import to_csv, to_freemat, to_png, write
+from jktools.trace.write import rendered, to_csv, to_freemat, to_png
 from tests.engine.motion_checks import run
 
 WALK = run([Phase(0, Keys(forward=1)), Phase(0.04, Keys())], 0.06)
@@ -48,10 +47,8 @@ def test_png_is_a_picture_and_the_same_each_time() -> None:
     assert np.count_nonzero(red) > 100 and np.count_nonzero(blue) > 100
 
 
-def test_formats_by_suffix(tmp_path: Path) -> None:
-    write(WALK, tmp_path / "a.CSV")
-    write(WALK, tmp_path / "a.m")
-    assert (tmp_path / "a.CSV").read_text() == to_csv(WALK)
-    assert (tmp_path / "a.m").read_text() == to_freemat(WALK)
+def test_formats_by_suffix() -> None:
+    assert rendered(WALK, ".CSV").decode() == to_csv(WALK)
+    assert rendered(WALK, ".m").decode() == to_freemat(WALK)
     with pytest.raises(ValueError, match="names no format"):
-        write(WALK, tmp_path / "a.gif")
+        rendered(WALK, ".gif")

@@ -15,8 +15,8 @@ from jktools.facts.reachability import ITEMS, OF_STATIC, STATIC, Reach
 from jktools.facts.script import ScriptFacts
 from jktools.model import Cog, Level, Thing
 from jktools.model.cog.verbs import all_verbs
+from jktools.model.resolved import Resolved
 from jktools.model.resources import Kind, Resources
-from jktools.model.templates import Resolved
 from jktools.source import InputError
 from jktools.syntax.assets.small import Items
 

@@ -9,7 +9,7 @@ import lark
 import numpy as np
 
 from jktools.diagnostics import Code, Severity, Subject
-from jktools.diagnostics.wording import counted
+from jktools.diagnostics.wording import miscounted
 from jktools.source import Source
 from jktools.syntax.assets import faults
 from jktools.syntax.assets.faultlist import FaultList
@@ -218,6 +218,6 @@ class LineReader:
         if announced != found:
             self.fault(
                 faults.ASSET_COUNT_MISMATCH, line,
-                f"the heading announces {announced} {kind}, but {counted(found, 'follows', 'follow')}",
+                miscounted(announced, kind, found),
                 f"write {found}, or restore what is missing; {self.effect}",
             )  # fmt: skip

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from jktools.diagnostics import Severity
+from jktools.diagnostics.wording import miscounted
 from jktools.source import Source, Span
 from jktools.syntax.assets import faults
 from jktools.syntax.assets.asset import Asset
@@ -82,7 +83,7 @@ def _texts(lines: Iterator[Span], head: Span, announced: int, told: FaultList) -
         )
     if count != announced:
         told.tell(
-            faults.ASSET_COUNT_MISMATCH, head, f"the heading announces {announced} texts, but {count} follow",
+            faults.ASSET_COUNT_MISMATCH, head, miscounted(announced, "texts", count),
             f"write {count}; the engine " + ("drops the rest" if count > announced else "notes it in its log"),
             severity=Severity.WARNING if count > announced else Severity.INFO,
         )  # fmt: skip

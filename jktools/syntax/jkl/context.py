@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from jktools.diagnostics import Code, Diagnostic, Label, Severity, Subject
+from jktools.diagnostics.wording import miscounted
 from jktools.source import Source, Span
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.document import Heading
@@ -170,7 +171,7 @@ class Context:
         text = self.lines.text(line)
         if len(self.diagnostics) >= MOST_FAULTS:
             # A file of garbage: what is not told need not be explained, and the grammar takes its time.
-            self._untold += 1
+            self._untold += not (self.strict and _is_clean(record, text))
             return record.salvage(text)
         try:
             tokens = record.parse(text)
@@ -181,8 +182,8 @@ class Context:
         return tokens
 
     def _surplus(self, record: Record, line: int, text: str, subject: Subject | None) -> None:
-        if record.more == "*" or record is records.SURFACE:
-            return  # their own readers look at what stands behind the fields
+        if _goes_on(record):
+            return
         words = record.surplus(text)
         if words:
             start, end = words[0].start_pos, words[-1].end_pos
@@ -243,9 +244,23 @@ class Context:
         if heading is not None and heading.count != found:
             self.fault(
                 faults.COUNT_MISMATCH, heading.line,
-                f"the heading announces {heading.count} {kind}, but {found} follow",
+                miscounted(heading.count, kind, found),
                 help or f"write {found}, or restore what is missing; the engine refuses the level",
             )  # fmt: skip
+
+
+def _goes_on(record: Record) -> bool:
+    """Whether the record's own reader looks at what stands behind its fields."""
+    return record.more == "*" or record is records.SURFACE
+
+
+def _is_clean(record: Record, text: str) -> bool:
+    """Whether the grammar takes a line to its end."""
+    try:
+        tokens = record.parse(text)
+    except lark.UnexpectedInput:
+        return False
+    return _goes_on(record) or tokens[-1].end_pos == len(text.rstrip())
 
 
 def name(record: Record, subject: Subject | None) -> str:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from jktools.diagnostics import Severity
+from jktools.diagnostics.wording import miscounted
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context
 from jktools.syntax.jkl.document import Heading, NameList
@@ -77,7 +78,7 @@ def name_list(context: Context, section: ListSection, heading: Heading | None, r
         effect = "refuses the level" if section.refuses_surplus else "drops the rest"
         context.fault(
             faults.COUNT_MISMATCH, int(rows.lines[heading.count]),
-            f"the heading announces {heading.count} {section.kind}s, but {len(rows)} follow; the engine {effect}",
+            f"{miscounted(heading.count, f'{section.kind}s', len(rows))}; the engine {effect}",
             f'write at least {len(rows)} behind "{section.heading}"',
             severity=None if section.refuses_surplus else Severity.WARNING,
         )  # fmt: skip

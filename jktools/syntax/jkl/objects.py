@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from jktools.diagnostics import Severity
+from jktools.diagnostics.wording import miscounted
 from jktools.syntax.jkl import faults, records
 from jktools.syntax.jkl.context import Context
 from jktools.syntax.jkl.document import Cogs, Heading, Int32, Parameters, Templates, Things
@@ -37,7 +38,7 @@ def read_templates(context: Context) -> Templates:
     if heading is not None and len(rows) > heading.count:
         context.fault(
             faults.COUNT_MISMATCH, int(rows.lines[heading.count]),
-            f"the heading announces {heading.count} templates, but {len(rows)} follow; the engine drops the rest",
+            f"{miscounted(heading.count, 'templates', len(rows))}; the engine drops the rest",
             f'write at least {len(rows)} behind "world templates"', severity=Severity.WARNING,
         )  # fmt: skip
     return _templates(heading, rows)

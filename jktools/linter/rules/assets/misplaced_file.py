@@ -10,6 +10,5 @@ def misplaced_file() -> None:
 
     ## Why it matters
     The engine finds a material in `mat` and `3do/mat` only, a sound in `sound` and `voice`, and so on. What lies
-    elsewhere
-    in a pack is never found. Off unless selected: packs carry pictures and notes of their makers, too.
+    elsewhere in a pack is never found. Off unless selected: packs carry pictures and notes of their makers, too.
     """

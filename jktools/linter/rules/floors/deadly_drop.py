@@ -19,7 +19,7 @@ SHORTEST = 0.05
 """JKU: shorter pieces of an edge are not what bodies fall from."""
 
 
-@rule("JK707", "deadly-drop", severity=Severity.INFO, since="0.2.0", on=False)
+@rule("JK707", "deadly-drop", severity=Severity.INFO, since="0.1.0", on=False)
 def deadly_drop(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a floor from whose edge a player falls so deep that the landing costs all of 100 points of health.
 

@@ -17,7 +17,7 @@ SHORTEST = 0.05
 """JKU: narrower openings let no body through."""
 
 
-@rule("JK705", "edge-over-nothing", severity=Severity.WARNING, since="0.2.0")
+@rule("JK705", "edge-over-nothing", severity=Severity.WARNING, since="0.1.0")
 def edge_over_nothing(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a floor from which a player walks to where nothing lies below, down to the end of the level.
 

@@ -21,7 +21,7 @@ SHORTEST = 0.1
 """JKU of each floor's edge along the surface."""
 
 
-@rule("JK706", "floor-flag-missing", severity=Severity.WARNING, since="0.2.0")
+@rule("JK706", "floor-flag-missing", severity=Severity.WARNING, since="0.1.0")
 def floor_flag_missing(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report an almost level surface without the floor flag 0x1 that lies flush between two floors.
 

@@ -11,11 +11,11 @@ from jktools.linter.figures import told_apart
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
-REST = 0.5
+REST = 0.75
 """Of all floors: what holds more of them is where the level goes on, not a hole in it."""
 
 
-@rule("JK701", "inescapable-basin", severity=Severity.WARNING, since="0.2.0")
+@rule("JK701", "inescapable-basin", severity=Severity.WARNING, since="0.1.0")
 def inescapable_basin(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report floors that a player can come down to, and from which no step, jump, lift, water or script leads out.
 
@@ -23,7 +23,7 @@ def inescapable_basin(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     A player who slips in has to load a saved game. Looked at are the player's own jump from the edge of each floor,
     things that can be stood on, sectors that lift, and all that a placed script names; where any of them may help,
     nothing is reported, nor where the fall in kills. Powers that jump higher are not counted. A part that holds more
-    than half of the level's floor is where the level goes on, and is left out.
+    than three quarters of the level's floor is where the level goes on, and is left out.
 
     ## Bad
         World vertices 14

@@ -18,7 +18,7 @@ WIDTH = 0.2
 """JKU: shorter edges are not what bodies go up by."""
 
 
-@rule("JK704", "jump-only-step", severity=Severity.INFO, since="0.2.0", on=False)
+@rule("JK704", "jump-only-step", severity=Severity.INFO, since="0.1.0", on=False)
 def jump_only_step(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a step up that is too high to walk, and low enough to jump.
 

@@ -23,7 +23,7 @@ _DOES = {Kind.SEAMLESS: "stays on the floor", Kind.FALL: "falls"}
 _SOURCE = {Engine.RESEARCH: "the research document's rules", Engine.OPENJKDF2: "those of the decompiled engine"}
 
 
-@rule("JK703", "ledge-near-changeover", severity=Severity.INFO, since="0.2.0")
+@rule("JK703", "ledge-near-changeover", severity=Severity.INFO, since="0.1.0")
 def ledge_near_changeover(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report an edge whose drop is within 1 % of the greatest that a player takes without falling.
 

@@ -11,7 +11,7 @@ from jktools.linter.rule import Finding, rule
 from jktools.model import Level
 
 
-@rule("JK702", "stair-makes-fall", severity=Severity.INFO, since="0.2.0")
+@rule("JK702", "stair-makes-fall", severity=Severity.INFO, since="0.1.0")
 def stair_makes_fall(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     """Report a flight of stairs on which a player lets go, although each of its steps alone is low enough.
 

@@ -25,7 +25,8 @@ def boundbox_mismatch(level: Level, facts: LevelFacts, options: Tolerances) -> I
 
     ## Why it matters
     Tools and newer engines look there first when they search for the sector of a point. The line is written by the
-    editor: a wrong one tells that the file was changed by hand or by a tool with a fault.
+    editor: a wrong one tells that the file was changed by hand or by a tool with a fault. Corners of surfaces count,
+    whether the sector lists them or not.
 
     ## Bad
         Sector 0

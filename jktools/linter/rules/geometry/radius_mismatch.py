@@ -25,7 +25,8 @@ def radius_mismatch(level: Level, facts: LevelFacts, options: Tolerances) -> Ite
 
     ## Why it matters
     The engine decides by centre and radius which moving lights reach a sector (sithRender_RenderDynamicLights in the
-    decompiled engine): with one too small, a light goes out at the sector's edge.
+    decompiled engine): with one too small, a light goes out at the sector's edge. Corners of surfaces count, whether
+    the sector lists them or not.
 
     ## Bad
         Sector 0

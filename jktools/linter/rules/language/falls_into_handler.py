@@ -19,7 +19,8 @@ def falls_into_handler(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
     A label does not end what stands above it. Without `return` a handler goes on with the next handler's code, as if
     that message had come too. Labels directly on top of each other are not reported: they share one handler. Nor is a
     handler that seems to be wanted: one of `user0` to `user7`, which only scripts send, or one of a pulse or timer that
-    the code above has just set, so that the same is done now and later.
+    the code above has just set, so that the same is done now and later. What stands behind a loop that never ends is
+    not come to.
 
     ## Bad
         symbols

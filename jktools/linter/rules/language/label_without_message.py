@@ -16,7 +16,8 @@ def label_without_message(script: Script, facts: ScriptFacts) -> Iterator[Findin
 
     ## Why it matters
     Only a declared message runs its label. Without `message` in the symbols the code below the label never runs,
-    unless code above falls into it, or a `goto` or `call` names it: such a label is not reported.
+    unless code above falls into it, or a `goto` or `call` names it: such a label is not reported. The label of a
+    message that is declared, but one too many, is left to too-many-messages.
 
     ## Bad
         symbols

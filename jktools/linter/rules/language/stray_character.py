@@ -17,7 +17,8 @@ def stray_character(script: Script, facts: ScriptFacts) -> Iterator[Finding]:
 
     ## Why it matters
     What starts no token is skipped in silence: `$ @ ? \\` and the backquote, control characters, and a quote that has
-    no partner. `print("abc);` is read as `print(abc);`, with a variable abc.
+    no partner. `print("abc);` is read as `print(abc);`, with a variable abc. A quote behind which the scanner looks
+    too far for the next one is left to overlong-token.
 
     ## Bad
         x = $y;

@@ -13,7 +13,7 @@ from jktools.facts.motion import is_body
 from jktools.facts.own_line import own_origin, templates_and_things
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
-from jktools.model.templates import Resolved
+from jktools.model.resolved import Resolved
 
 SLOW_FRAME = 0.1
 """Seconds: 10 frames a second."""

@@ -8,7 +8,7 @@ from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
-from jktools.model.templates import Ignored, Reason, Resolved
+from jktools.model.resolved import Ignored, Reason, Resolved
 from jktools.syntax.template.values import ValueKind, scan
 
 LEAST_FRAMES = 1

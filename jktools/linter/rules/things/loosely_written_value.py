@@ -8,7 +8,7 @@ from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
-from jktools.model.templates import Origin, Resolved, Setting
+from jktools.model.resolved import Origin, Resolved, Setting
 from jktools.syntax.template.values import ValueKind, scan, well_formed
 
 

@@ -9,7 +9,7 @@ from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.linter.rules.things.parameter_before_type import later_enabler
 from jktools.model import Level
-from jktools.model.templates import Ignored, Reason
+from jktools.model.resolved import Ignored, Reason
 from jktools.syntax.template.parameters import PARAMETERS
 
 

@@ -6,7 +6,7 @@ from jktools.diagnostics import Label, Severity
 from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
-from jktools.model.templates import FREE
+from jktools.model.template_record import FREE
 
 
 @rule("JK406", "template-without-type", severity=Severity.WARNING, since="0.1.0")

@@ -9,7 +9,7 @@ from jktools.facts import LevelFacts
 from jktools.linter.rule import Finding, rule
 from jktools.linter.spelling import did_you_mean
 from jktools.model import Level
-from jktools.model.templates import Ignored, Reason
+from jktools.model.resolved import Ignored, Reason
 from jktools.syntax.template.parameters import PARAMETERS
 
 WITHOUT_CURE = "remove it; docs/parameters.md lists those that there are"
