@@ -8,7 +8,7 @@ such: how often the player causes a message, how many things play creates.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeVar
 
@@ -85,7 +85,7 @@ class Hotspot:
             return verb[self.verdict]
         told = sorted(self.verdicts.items(), key=lambda each: each[1] is Verdict.VARIES)
         known = [f"{verb[verdict]} by {engine}" for engine, verdict in told]
-        return ", but ".join(known) if told[0][1] is not Verdict.VARIES else None
+        return " and ".join(known) if told[0][1] is not Verdict.VARIES else None
 
     @property
     def surfaces_per_second(self) -> float:
@@ -126,10 +126,15 @@ class Scene:
         runners: Sequence[Runner],
         work: SightWork,
         verdicts: Verdicts,
+        comes_to: Callable[[Iterable[Thing]], Iterable[int]],
         created: frozenset[str] = frozenset(),
         frames: float = FRAMES_PER_SECOND,
     ) -> None:
-        """`frames` are the game's a second, which no pulse outruns; `created` the templates that play creates."""
+        """`frames` are the game's a second, which no pulse outruns; `created` the templates that play creates.
+
+        `comes_to` tells the sectors that bodies come to.
+        """
+        self.comes_to = comes_to
         self.level, self.runners, self.work, self.verdicts = level, tuple(runners), work, verdicts
         self.paces = Paces(runners, frames)
         self.created = [r.type for name in sorted(created) if (r := level.resolved_templates.get(name)) is not None]
@@ -219,17 +224,19 @@ class Scene:
             mask = end.mask if end.kind == "seen" else ANY_TYPE
             things = [thing for thing in self.placed if mask >> TYPES.index(thing.resolved.type) & 1]
         stay = [_place(thing) for thing in things if not _roams(thing) and np.isfinite(thing.position).all()]
-        return stay + self._roam(frozenset(thing.sector_index for thing in things if _roams(thing)))
+        return stay + self._roam([thing for thing in things if _roams(thing)])
 
-    def _roam(self, sectors: frozenset[int]) -> list[Place]:
-        if sectors not in self._roaming:
+    def _roam(self, bodies: Sequence[Thing]) -> list[Place]:
+        """The middle of every sector that bodies come to; nothing without a body."""
+        numbers = frozenset(body.number for body in bodies)
+        if numbers not in self._roaming:
             centres = self.work.centres
-            self._roaming[sectors] = [
+            self._roaming[numbers] = [
                 Place(i, (float(centres[i, 0]), float(centres[i, 1]), float(centres[i, 2])))
-                for i in self.work.reached_from(sectors)
+                for i in (self.comes_to(bodies) if bodies else ())
                 if np.isfinite(centres[i]).all()
             ]
-        return self._roaming[sectors]
+        return self._roaming[numbers]
 
 
 def _place(thing: Thing) -> Place:

@@ -16,7 +16,6 @@ from jktools.facts.cog.counting import VIEWS
 from jktools.facts.cog.lowering import Op
 from jktools.facts.cog.rates import LEAST_DELAY, PULSE, TIMER, TRIGGER, Site
 from jktools.facts.cog.repeats import NEVER, Repeats
-from jktools.facts.hotspots.clocks import turns_off_own_pulse, turns_off_pulse_of_sender
 from jktools.facts.hotspots.inputs import (
     MESSAGES,
     OWN_CLOCKS,
@@ -28,6 +27,7 @@ from jktools.facts.hotspots.inputs import (
     handler_of,
     sites_of,
 )  # fmt: skip
+from jktools.facts.hotspots.lasting import times_of
 from jktools.facts.hotspots.runners import Runner
 from jktools.facts.hotspots.starts import startup_is_first
 from jktools.facts.hotspots.targets import Targets
@@ -58,9 +58,9 @@ class Network:
         self._start()
         self._close()
         self.repeats = {runner: self._repeats(runner, frames) for runner in self.runners}
-        for clock in self.clocks.values():
-            clock.once = clock.kind == "timer" or (clock.kind == "pulse" and self._turned_off(clock))
         self._spread()
+        for clock in self.clocks.values():
+            clock.times = times_of(clock, self.inputs, self.passes)
 
     def passes(self, node: Node, site: Site) -> Repeats:
         """How often a handler's run comes to a call, if no other script looks for things in view meanwhile."""
@@ -158,12 +158,6 @@ class Network:
             unsure = not known and (node.runner.links or node.runner.more)
             if unsure or node.runner.captures or (to_come and node.runner is sender.runner):
                 self._reached(node).open = True
-
-    def _turned_off(self, clock: Clock) -> bool:
-        hearing = [node for node, inputs in self.inputs.items() if any(each is clock for each, _ in inputs.clocks)]
-        if isinstance(clock.owner, Runner):
-            return all(turns_off_own_pulse(node.runner.analysis, node.label) for node in hearing)
-        return all(turns_off_pulse_of_sender(node.runner.analysis, node.label, clock.owner) for node in hearing)
 
     # ---- messages
 

@@ -2,9 +2,10 @@
 
 A pulse comes once an interval and once a frame at most. A timer comes once for each time that it is set; one that what
 it runs sets again comes once an interval. A pulse that each run of its handler turns off comes once for each time that
-it is set. What comes from outside, as the player's `activated`, is counted once for each handler, and for each thing
-that carries a class COG: it counts for what it starts. Messages from script to script are followed to the COGs that
-they name. Where handlers send each other messages in a circle, nothing bounds them.
+it is set; one that counts itself down, as often as it counts. What comes from outside, as the player's `activated`, is
+counted once for each handler, and for each thing that carries a class COG: it counts for what it starts. Messages from
+script to script are followed to the COGs that they name. Where handlers send each other messages in a circle, nothing
+bounds them.
 
 The bounds hold as long as each handler that is not `open` gets no more from outside than is counted.
 """
@@ -122,7 +123,12 @@ class Paces:
         while pending:
             at = inputs[pending.pop()]
             before = [s.sender for s in at.messages]
-            before += [s.sender for clock, _ in at.clocks if clock.kind != "pulse" or clock.once for s in clock.set_by]
+            before += [
+                s.sender
+                for clock, _ in at.clocks
+                if clock.kind != "pulse" or clock.times < math.inf
+                for s in clock.set_by
+            ]
             fresh = [node for node in before if node not in found]
             found.update(dict.fromkeys(fresh))
             pending += fresh
@@ -246,7 +252,7 @@ class _Solution:
     def _is_counted(self, clock: Clock) -> bool:
         """Whether how often it is set has a say."""
         loose = any(self.network.is_loose(sending) for sending in clock.set_by)
-        return (clock.once or clock.kind == "each timer") and not loose
+        return (clock.times < math.inf or clock.kind == "each timer") and not loose
 
     def _most(self, clock: Clock) -> Bound:
         """What no setting of a clock outruns."""
@@ -259,7 +265,7 @@ class _Solution:
         start = Bound(1.0, 0.0) if clock.armed else NOTHING
         for sending in clock.set_by:
             start = start.plus(self._sent(sending))
-        return _least(start, self._most(clock))
+        return _least(start.times(clock.times) if clock.times < math.inf else start, self._most(clock))
 
     def _in_circle(self, clock: Clock, part: Sequence[_Vertex]) -> Bound:
         """Of a clock that what it runs sets again; with SetTimerEx once a run at most, each start goes on by itself."""
