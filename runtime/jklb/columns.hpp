@@ -40,7 +40,7 @@ struct Stored {
 // What the numbers of a column stand for, in the order of docs/format.md.
 struct ColumnForm {
     int width = 1;             // numbers a row
-    bool has_values = false;   // else every row is `first`, or with `follows` first, first + 1, ...
+    bool has_values = false;   // else every number is `first`, or with `follows` first, first + 1, ...
     bool follows = false;
     std::int64_t first = 0;
     std::size_t count = 0;     // not 0: the one row of values, or what stands for it, is so many rows
@@ -55,8 +55,8 @@ class Column {
 public:
     Column() = default;
 
-    // Of a column that the file does not hold: so many rows of `fill`.
-    Column(std::size_t rows, T fill) : rows_(rows), fill_(fill) {}
+    // Of a column that the file does not hold: so many rows of nothing but `fill`.
+    Column(std::size_t rows, T fill, int width) : width_(width), rows_(rows), fill_(fill) {}
 
     Column(const flatbuffers::Vector<T>* plain, int width) : width_(width) {
         take(plain);
@@ -93,7 +93,8 @@ public:
     template <typename Out>
     void copy(Out* out) const {
         if (kind_ == kNothing) {
-            for (std::size_t row = 0; row < rows_; ++row) *out++ = (*this)(row);
+            for (std::size_t row = 0; row < rows_; ++row)
+                for (int lane = 0; lane < width_; ++lane) *out++ = (*this)(row, lane);
         } else if (step_ != 0 || count_) {
             for (std::size_t row = 0; row < rows_; ++row)
                 for (int lane = 0; lane < width_; ++lane) *out++ = (*this)(row, lane);
@@ -248,7 +249,7 @@ template <typename T>
 Column<T> column(const flatbuffers::Vector<T>* plain, const jktools::Packed* packed, int width, std::size_t rows,
                  T fill = 0) {
     if (plain) return {plain, width};
-    return packed ? Column<T>(*packed, width) : Column<T>(rows, fill);
+    return packed ? Column<T>(*packed, width) : Column<T>(rows, fill, width);
 }
 
 // What is wrong with columns: the first fault found, in one sentence.

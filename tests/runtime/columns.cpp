@@ -12,9 +12,9 @@ namespace {
 long wrong = 0, packed = 0, pooled = 0, grids = 0, runs = 0, absent = 0;
 
 template <typename T>
-void compare(const jklb::Column<T>& column) {
+void compare(const jklb::Column<T>& column, std::size_t width) {
     const jklb::ColumnForm form = column.form();
-    const auto width = static_cast<std::size_t>(form.width);
+    wrong += form.width != static_cast<int>(width);
     std::vector<T> made;
     if (!form.has_values) {
         for (std::size_t i = 0; i < form.count * width; ++i)
@@ -41,9 +41,10 @@ void compare(const jklb::Column<T>& column) {
     wrong += all.size() != made.size() || (all.size() && std::memcmp(all.data(), made.data(), all.size() * sizeof(T)));
 }
 
-template <typename... Columns>
+// Columns of so many numbers a row, as docs/format.md has it.
+template <std::size_t width = 1, typename... Columns>
 void compare_all(const Columns&... columns) {
-    (compare(columns), ...);
+    (compare(columns, width), ...);
 }
 
 }  // namespace
@@ -53,9 +54,11 @@ int main(int count, char** words) {
     const auto level = count == 2 ? jklb::Level::open(words[1], error) : std::nullopt;
     if (!level) return std::fprintf(stderr, "%s\n", error.c_str()), 2;
     const jklb::Geometry& g = level->geometry();
-    compare_all(g.vertices, g.texture_vertices, g.adjoin_flags, g.adjoin_mirror, g.surface_material, g.surface_flags,
-                g.surface_geometry_mode, g.surface_adjoin, g.surface_normal, g.surface_corner_start, g.corner_vertex,
-                g.corner_light, g.sector_sound, g.sector_tint, g.sector_bound_box);
+    compare_all(g.adjoin_flags, g.adjoin_mirror, g.surface_material, g.surface_flags, g.surface_geometry_mode,
+                g.surface_adjoin, g.surface_corner_start, g.corner_vertex, g.corner_light, g.sector_sound);
+    compare_all<2>(g.texture_vertices);
+    compare_all<3>(g.vertices, g.surface_normal, g.sector_tint);
+    compare_all<6>(g.sector_bound_box);
     if (const auto& t = level->sections().templates) compare_all(t->source, t->base, t->own_text, t->list_number);
     if (const auto& v = level->sections().visibility) compare_all(v->sector, v->row_start);
     std::printf("wrong %ld, narrow %ld, pooled %ld, grids %ld, runs %ld, absent %ld\n", wrong, packed, pooled, grids, runs,
