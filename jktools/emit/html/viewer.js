@@ -103,7 +103,8 @@
   // ---- what is chosen
 
   const state = {
-    view: "plan", centre: add(low, sub(high, low), 0.5), reach: extent * 0.55, yaw: 0.6, pitch: 0.9,
+    view: "plan", centre: add(low, sub(high, low), 0.5), yaw: 0.6, pitch: 0.9,
+    reach: extent * 0.55 * Math.max(1, canvas.clientHeight / Math.max(1, canvas.clientWidth)),
     colour: "light", body: level.bodies.length ? 0 : -1, outlines: true, things: false, marks: true, seen: false,
     cut: Infinity, surface: -1, sector: -1, mark: null,
   };
