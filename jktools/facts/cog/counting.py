@@ -26,10 +26,12 @@ NO_THING = ranges.Range(ranges.INT, -1, -1)
 class CountingLoops:
     """Of one script."""
 
-    def __init__(self, program: Program, flow: Flow, reach: Reach, known: Known, *, undisturbed: bool) -> None:
-        """`undisturbed` is told at `Counter`."""
+    def __init__(
+        self, program: Program, flow: Flow, reach: Reach, known: Known, *, undisturbed: bool, most_seen: int
+    ) -> None:
+        """`undisturbed` and `most_seen` are told at `Counter`."""
         self.program, self.flow, self.reach, self.known = program, flow, reach, known
-        self.undisturbed = undisturbed
+        self.undisturbed, self.most_seen = undisturbed, most_seen
         self.stores = self._stores(Op.STORE)
         self.arrays = [each for stores in self._stores(Op.STORE_AT).values() for each in stores]
 
@@ -120,7 +122,7 @@ class CountingLoops:
         return max(0.0, turns)
 
     def _walked(self, variable: Name, going: str, limit: ranges.Range, header: int, part: frozenset[int]) -> float:
-        """The most turns of a loop over what FirstThingInView found: the engine keeps 32 things, then says none."""
+        """The most turns of a loop over what FirstThingInView found: the engine keeps so many things, then says none."""
         slot = self.program.slot_of.get(variable.name)
         if slot is None or ranges.truth(ranges.binary(going, NO_THING, limit)) is not False:
             return math.inf
@@ -135,8 +137,8 @@ class CountingLoops:
             for i in part | called for op, arg, _ in self.flow.blocks[i].code
         )  # fmt: skip
         if self.undisturbed:
-            return math.inf if anew or any(index in called for index, _ in stores) else MOST_SEEN
-        return math.inf if anew or self._others_store(part, stores) else MOST_SEEN
+            return math.inf if anew or any(index in called for index, _ in stores) else self.most_seen
+        return math.inf if anew or self._others_store(part, stores) else self.most_seen
 
     def _is_call(self, value: Expression, names: frozenset[str]) -> bool:
         verb = self.program.verb_of(value) if isinstance(value, Call) else None
