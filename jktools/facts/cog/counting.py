@@ -122,7 +122,7 @@ class CountingLoops:
         return max(0.0, turns)
 
     def _walked(self, variable: Name, going: str, limit: ranges.Range, header: int, part: frozenset[int]) -> float:
-        """The most turns of a loop over what FirstThingInView found: the engine keeps so many things, then says none."""
+        """The most turns of a loop over what FirstThingInView found: the engine keeps so many, then says none."""
         slot = self.program.slot_of.get(variable.name)
         if slot is None or ranges.truth(ranges.binary(going, NO_THING, limit)) is not False:
             return math.inf
