@@ -12,7 +12,7 @@ from jktools.facts.cog.lowering import Flow, Op
 from jktools.facts.cog.reach import Reach
 from jktools.facts.cog.stack import is_plain
 from jktools.model.cog.program import Program
-from jktools.syntax.cog.nodes import Assign, Binary, Call, Expression, Name
+from jktools.syntax.cog.nodes import Assign, Binary, Call, Expression, Name, Unary
 
 MOST_TESTS = 8
 """Ways out of a loop that are looked at for one that counts."""
@@ -58,31 +58,30 @@ class CountingLoops:
             i for i in sorted(part)
             if self.flow.blocks[i].tests and any(s not in part for s in self.flow.blocks[i].successors)
         ]  # fmt: skip
-        counting = [i for i in testing if isinstance(self.flow.blocks[i].condition, Binary)][:MOST_TESTS]
+        counting = [i for i in testing if isinstance(self.flow.blocks[i].condition, (Binary, Unary))][:MOST_TESTS]
         found = [(self._turns_by(i, header, part), i) for i in counting]
         proven = [each for each in found if each[0] < math.inf and self._every_turn(each[1], header, part)]
         return min(proven, default=(math.inf, -1))
 
     def _turns_by(self, testing: int, header: int, part: frozenset[int]) -> float:
         block = self.flow.blocks[testing]
-        stays = block.successors[0] in part
-        condition = block.condition
-        if not isinstance(condition, Binary) or condition not in self.known.operands:
+        if block.condition is None or not is_plain(self.program, block.condition):
             return math.inf
-        if not is_plain(self.program, condition):
-            return math.inf
-        left, right = self.known.operands[condition]
-        sides: list[tuple[Expression, str, ranges.Range, ranges.Range]] = [
-            (condition.left, condition.op, left, right),
-            (condition.right, ranges.MIRROR.get(condition.op, ""), right, left),
-        ]
         best = math.inf
-        for variable, operator, own, limit in sides:
-            if isinstance(variable, Name) and operator in ranges.INVERSE:
-                going = operator if stays else ranges.INVERSE[operator]
-                best = min(best, self._walked(variable, going, limit, header, part))
-                if going in ("<", "<=", ">", ">="):
-                    best = min(best, self._counted(variable, going, own, limit, header, part))
+        for compared, stays in _must_hold(block.condition, stays=block.successors[0] in part):
+            if compared not in self.known.operands:
+                continue
+            left, right = self.known.operands[compared]
+            sides: list[tuple[Expression, str, ranges.Range, ranges.Range]] = [
+                (compared.left, compared.op, left, right),
+                (compared.right, ranges.MIRROR.get(compared.op, ""), right, left),
+            ]
+            for variable, operator, own, limit in sides:
+                if isinstance(variable, Name) and operator in ranges.INVERSE:
+                    going = operator if stays else ranges.INVERSE[operator]
+                    best = min(best, self._walked(variable, going, limit, header, part))
+                    if going in ("<", "<=", ">", ">="):
+                        best = min(best, self._counted(variable, going, own, limit, header, part))
         return best
 
     def _counted(
@@ -182,3 +181,21 @@ class CountingLoops:
         if index != header and any(header in p for p in components(self.flow.blocks, without)):
             return False
         return not any(index in p for p in components(self.flow.blocks, part, cut=header)) or index == header
+
+
+def _must_hold(condition: Expression, *, stays: bool) -> list[tuple[Binary, bool]]:
+    """The comparisons that have to come out so for a loop to go on, as both do of `i < 5 && found == 0`.
+
+    `stays` is what the whole condition has to be.
+    """
+    found: list[tuple[Binary, bool]] = []
+    pending = [(condition, stays)]
+    while pending:
+        at, wanted = pending.pop()
+        if isinstance(at, Unary) and at.op == "!":
+            pending.append((at.operand, not wanted))
+        elif isinstance(at, Binary) and at.op == ("&&" if wanted else "||"):
+            pending += ((at.left, wanted), (at.right, wanted))
+        elif isinstance(at, Binary):
+            found.append((at, wanted))
+    return found
