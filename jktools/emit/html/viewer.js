@@ -351,7 +351,7 @@
     if (finding.kind === "surface") choose(finding.index, level.surface_sector[finding.index], finding.place);
     else choose(-1, finding.kind === "sector" ? finding.index : -1, finding.place);
     for (const row of document.querySelectorAll("#findings .placed")) {
-      const its = row.dataset.place === finding.place.join(" ") && row.querySelector("p").textContent === finding.message;
+      const its = level.findings[row.dataset.finding] === finding;
       row.classList.toggle("chosen", its);
       if (its) row.scrollIntoView({ block: "nearest" });
     }
@@ -435,8 +435,7 @@
     }
   };
   onChoice("#findings .placed", (item) => {
-    const message = item.querySelector("p").textContent;
-    const finding = level.findings.find((f) => f.place.join(" ") === item.dataset.place && f.message === message);
+    const finding = level.findings[item.dataset.finding];
     goTo(finding.place);
     show(finding);
   });
