@@ -9,9 +9,11 @@ import pytest
 from tests.support.hotspots import (
     ASKED,
     LOOK,
+    PLAYER,
     hotspots,
     looking,
     placed_cog,
+    things,
     two_scripts,
 )
 
@@ -117,3 +119,29 @@ def test_what_the_player_causes_is_named() -> None:
     # A pulse that it starts lasts: more of the same starts no more of it.
     (pulse,) = hotspots(*placed_cog("20 21", *looking("activated: SetPulse(1); return;", f"pulse: {LOOK} return;")))
     assert (pulse.causes, pulse.calls_per_second) == ((), 1)
+
+
+@pytest.mark.parametrize(("captured", "calls"), [(0, 10), (11, 0)])
+def test_a_class_cog_hears_the_player_that_it_captured(captured: int, calls: float) -> None:
+    """The player carries no script here; its timer comes to whoever captured it, and is set anew for its sender.
+
+    That may be the player or the lamp, by all that is said: 5 a second each.
+    """
+    lamp = looking(
+        f"startup: CaptureThing({captured}); return;", "timer: SetThingTimer(GetSenderRef(), 0.2);", LOOK, "return;"
+    )
+    box = [
+        "symbols",
+        "message startup",
+        "end",
+        "code",
+        "startup:",
+        "SetThingTimer(GetLocalPlayerThing(), 1);",
+        "return;",
+    ]
+    (found,) = hotspots(
+        "World templates 5", "lamp none type=cog cog=lamp.cog", "box none type=cog cog=box.cog", "mark none type=ghost",
+        "World things 90", PLAYER, *things(1), *things(1, "mark", first=11), *things(1, "box", first=12),
+        "== cog/lamp.cog", *lamp, "== cog/box.cog", *box, "end",
+    )  # fmt: skip
+    assert (found.calls_per_second, found.more) == (pytest.approx(calls), False)

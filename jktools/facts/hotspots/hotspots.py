@@ -22,6 +22,7 @@ from jktools.facts.cog.repeats import FRAMES_PER_SECOND
 from jktools.facts.hotspots.ends import ANY_TYPE, FLOODS, NEXT, End, ends, seen_mask
 from jktools.facts.hotspots.pace import Paces
 from jktools.facts.hotspots.runners import Runner
+from jktools.facts.hotspots.targets import PLAYER
 from jktools.facts.hotspots.verdicts import Verdict, Verdicts
 from jktools.facts.hotspots.work import Place, SightWork, Work
 from jktools.model import Level, Thing
@@ -140,7 +141,8 @@ class Scene:
         self.placed = [t for t in level.things if t.dropped is None and np.isfinite(t.position).all()]
         self.by_number = {thing.number: thing for thing in self.placed}
         self._roaming: dict[frozenset[int], list[Place]] = {}
-        self.paces = Paces(runners, frames, self._most_seen)
+        players = {t.number for t in self.placed if t.resolved.type == PLAYER}
+        self.paces = Paces(runners, frames, self._most_seen, players)
 
     def hotspots(self) -> list[Hotspot]:
         """All of them, the dearest first."""

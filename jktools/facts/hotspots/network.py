@@ -8,6 +8,7 @@ can reach every handler of that message, as can a pulse that it gives to a thing
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Set as AbstractSet
 from functools import cached_property
 
 from jktools.facts.cog import ranges
@@ -45,18 +46,23 @@ class Network:
     """Of all scripts of one level: what can run, and what causes it."""
 
     def __init__(
-        self, runners: Iterable[Runner], frames: float, most_seen: Callable[[Runner], int] = lambda _: MOST_SEEN
+        self,
+        runners: Iterable[Runner],
+        frames: float,
+        most_seen: Callable[[Runner], int] = lambda _: MOST_SEEN,
+        players: AbstractSet[int] | None = None,
     ) -> None:
         """Find what can run, and all ways between the handlers that can; `frames` are the game's a second.
 
-        `most_seen` tells how many things FirstThingInView can find for a script.
+        `most_seen` tells how many things FirstThingInView can find for a script, `players` the numbers of the things
+        that players start as.
         """
         self.runners = tuple(runners)
         self.nodes = [Node(r, h.label) for r in self.runners for h in r.analysis.program.handlers]
         self._listeners: dict[int, list[Node]] = {}
         for node in self.nodes:
             self._listeners.setdefault(handler_of(node).message.id, []).append(node)
-        self.targets = Targets(self.runners)
+        self.targets = Targets(self.runners, players)
         self._beating: set[int] = set()
         self.inputs: dict[Node, Inputs] = {}
         self.clocks: dict[tuple[Runner | int, str], Clock] = {}

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from functools import cached_property
 from typing import NamedTuple, TypeVar
 
@@ -72,12 +73,19 @@ class Paces:
     """Of all scripts of one level."""
 
     def __init__(
-        self, runners: Iterable[Runner], frames: float, most_seen: Callable[[Runner], int] = lambda _: MOST_SEEN
+        self,
+        runners: Iterable[Runner],
+        frames: float,
+        most_seen: Callable[[Runner], int] = lambda _: MOST_SEEN,
+        players: AbstractSet[int] | None = None,
     ) -> None:
-        """`frames` are the game's a second; `most_seen`: how many things FirstThingInView can find for a script."""
+        """`frames` are the game's a second; `most_seen`: how many things FirstThingInView can find for a script.
+
+        `players` are the numbers of the things that players start as.
+        """
         self.runners = tuple(runners)
         self.frame = 1.0 / frames
-        self.network = Network(self.runners, frames, most_seen)
+        self.network = Network(self.runners, frames, most_seen, players)
         self.bounds = _Solution(self.network, self.frame).run()
 
     def labels(self, runner: Runner, site: Site) -> list[str]:

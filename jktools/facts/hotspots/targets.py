@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 
 from jktools.facts.cog.rates import PULSE, TIMER, Site
 from jktools.facts.cog.stack import written
@@ -21,6 +22,7 @@ CREATES = frozenset(
 )  # fmt: skip
 """What they answer with is a thing that the level does not place."""
 PLAYER_VERBS = frozenset({"getlocalplayerthing", "jkgetlocalplayer"})
+PLAYER = "player"
 SENDER_VERBS = frozenset({"getsenderref"})
 NOT_BY_THINGS = frozenset(
     {"startup", "loading", "shutdown", "newplayer", "join", "leave", "trigger", *(f"user{i}" for i in range(8))}
@@ -31,12 +33,17 @@ NOT_BY_THINGS = frozenset(
 class Targets:
     """Of all scripts of one level."""
 
-    def __init__(self, runners: Sequence[Runner]) -> None:
-        """Learn the numbers of the scripts and the things that carry them."""
+    def __init__(self, runners: Sequence[Runner], players: AbstractSet[int] | None = None) -> None:
+        """Learn the numbers of the scripts and the things that carry them, and of the things that players start as.
+
+        Without those, a thing that a script captures by its number may be the player, if it is not known better.
+        """
         self._numbered = {r.number: r for r in runners if r.number >= 0}
         self._class_of = {t.number: r for r in runners if r.cog is None and not r.of for t in r.things}
         self._first_free = 1 + max((n for n in self._numbered if n < OF_STATIC), default=-1)
-        self._players = {t.number for r in runners for t in r.things if t.resolved.type == "player"}
+        types = {t.number: t.resolved.type for r in runners for t in r.things}
+        unless_told = {n for r in runners for n in r.links if types.get(n, PLAYER) == PLAYER}
+        self._players = unless_told if players is None else players
 
     def reaches_things_to_come(self, runner: Runner, site: Site) -> bool:
         """Whether a call can mean a thing that sent a message, and that play created."""
@@ -60,14 +67,14 @@ class Targets:
             elif verb is not None and verb.name in PLAYER_VERBS:
                 numbers |= self._players
             elif verb is not None and verb.name in SENDER_VERBS:
-                numbers |= {thing.number for thing in runner.things}
+                numbers |= runner.links.keys()
                 known &= self._is_sent_by_thing(sender)
             elif verb is None or verb.name not in CREATES:
                 known = False
         return numbers, known
 
     def _is_sent_by_thing(self, node: Node) -> bool:
-        """Whether the sender of every message of a handler is a thing that carries the script."""
+        """Whether the sender of every message of a handler is a thing that carries the script, or that it captured."""
         message = handler_of(node).message
         if node.runner.cog is not None or node.runner.of or message.name in NOT_BY_THINGS:
             return False
