@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from jktools.facts.hotspots.network import Network
 from tests.support.hotspots import (
     ASKED,
     LOOK,
@@ -117,3 +118,14 @@ def test_what_the_player_causes_is_named() -> None:
     # A pulse that it starts lasts: more of the same starts no more of it.
     (pulse,) = hotspots(*placed_cog("20 21", *looking("activated: SetPulse(1); return;", f"pulse: {LOOK} return;")))
     assert (pulse.causes, pulse.calls_per_second) == ((), 1)
+
+
+def test_what_wakes_a_loop_is_looked_for_only_where_one_sleeps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Among scripts that all send to all, each way between two of them would else look at every script again."""
+    asked = []
+    wakers = Network.wakers
+    monkeypatch.setattr(Network, "wakers", lambda *given: asked.append(given) or wakers(*given))
+    (found,) = two_scripts(["startup: SetPulse(0.1); return;", "pulse: SendMessage(other, user0); return;"], ASKED)
+    assert (found.calls_per_second, len(asked)) == (pytest.approx(10), 0)
+    (found,) = two_scripts(["startup: while (1) { SendMessage(other, user0); Sleep(0.1); } return;"], ASKED)
+    assert (found.calls_per_second, len(asked) > 0) == (pytest.approx(10), True)
