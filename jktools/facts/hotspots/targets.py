@@ -36,7 +36,10 @@ class Targets:
         self._numbered = {r.number: r for r in runners if r.number >= 0}
         self._class_of = {t.number: r for r in runners if r.cog is None and not r.of for t in r.things}
         self._first_free = 1 + max((n for n in self._numbered if n < OF_STATIC), default=-1)
-        self._players = {t.number for r in runners for t in r.things if t.resolved.type == "player"}
+        things = {t.number: t for r in runners for t in r.things}
+        captured = {number for r in runners for number in r.links}
+        # Of what a class COG captures, only the number is known here: it may be the player.
+        self._players = {n for n in captured | things.keys() if n not in things or things[n].resolved.type == "player"}
 
     def reaches_things_to_come(self, runner: Runner, site: Site) -> bool:
         """Whether a call can mean a thing that sent a message, and that play created."""
