@@ -173,6 +173,11 @@ def test_a_jump_leads_to_the_label_that_it_names_and_on_through_those_below() ->
         ("while (1) { Print(1); call nap; call maybe; Sleep(0.75); }", 1, 1),
         ("while (1) { Print(1); if (Rand() < 0.5) { call nap; } else Sleep(1); }", 1, 4),
         ("while (1) { Print(1); if (Rand() < 0.5) Sleep(1); }", math.inf, 0),
+        # The loop without turns of the one inside would never sleep, but never print either.
+        ("while (1) { for (i = 0; i < 3; i = i + 1) { Print(1); Sleep(0.5); } }", 1, 2),
+        ("while (1) { while (Rand() < 0.5) { Print(1); Sleep(0.5); Print(1); } }", 2, 4),
+        ("while (1) { if (Rand() < 0.5) { Print(1); Sleep(0.25); } }", 1, 4),
+        ("while (1) { Print(1); while (Rand() < 0.5) { Print(1); Sleep(0.5); } }", math.inf, 2),
         ("for (i = 0; i < 10; i = i) Print(1);", math.inf, 0),
         ("for (i = 0; i < 10; i = i + 1) { Print(1); i = 0; }", math.inf, 0),
         ("for (i = 0; i < 10; i = i + 1) { Print(1); if (Rand() < 0.1) i = 99; }", 10, 0),

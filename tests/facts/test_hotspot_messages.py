@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from jktools.facts.hotspots.network import Network
 from tests.support.hotspots import (
     ASKED,
     LOOK,
@@ -145,3 +146,14 @@ def test_a_class_cog_hears_the_player_that_it_captured(captured: int, calls: flo
         "== cog/lamp.cog", *lamp, "== cog/box.cog", *box, "end",
     )  # fmt: skip
     assert (found.calls_per_second, found.more) == (pytest.approx(calls), False)
+
+
+def test_what_wakes_a_loop_is_looked_for_only_where_one_sleeps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Among scripts that all send to all, each way between two of them would else look at every script again."""
+    asked = []
+    wakers = Network.wakers
+    monkeypatch.setattr(Network, "wakers", lambda *given: asked.append(given) or wakers(*given))
+    (found,) = two_scripts(["startup: SetPulse(0.1); return;", "pulse: SendMessage(other, user0); return;"], ASKED)
+    assert (found.calls_per_second, len(asked)) == (pytest.approx(10), 0)
+    (found,) = two_scripts(["startup: while (1) { SendMessage(other, user0); Sleep(0.1); } return;"], ASKED)
+    assert (found.calls_per_second, len(asked) > 0) == (pytest.approx(10), True)

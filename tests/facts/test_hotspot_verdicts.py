@@ -185,7 +185,12 @@ def test_what_is_told_of_a_call() -> None:
         "== cog/look.cog", "symbols", "message activated", "thing a", "thing b", "end", "code",
         f"activated: {LOOK} return;", "end",
     ]  # fmt: skip
-    for level, told in ((SHUT, "never succeeds"), ((), "always succeeds by openjkdf2 and varies by research")):
+    leave_out = "the outcome is known beforehand: leave the test out"
+    for level, told, cure in (
+        (SHUT, "never succeeds", leave_out),
+        ((), "always succeeds by openjkdf2, while it varies by research",
+         "do not build on this test: engines differ in it"),
+    ):  # fmt: skip
         with level_with_files(*level, *lines) as found:
             (spot,) = LevelFacts(found).hotspots
             assert spot.finds == told
@@ -193,6 +198,4 @@ def test_what_is_told_of_a_call() -> None:
             assert finding.message == (
                 f"cog 0 (look.cog) tests sight between things that stay in place, but the test {told}"
             )
-            known = "the outcome is known beforehand: leave the test out"
-            only = "leave the test out if the level is for that engine alone"
-            assert finding.help == (known if level else only)
+            assert finding.help == cure

@@ -64,6 +64,17 @@ def test_what_a_class_cog_captures_sends_it_pulses() -> None:
     assert found.more
 
 
+def test_a_class_cog_that_captures_the_player_hears_the_pulse_that_another_script_gives_the_player() -> None:
+    box = ["symbols", "message created", "message pulse", "end", "code", "created: CaptureThing(0); return;",
+           'pulse: if (HasLOS(0, 10) == 1) Print("x"); return;', "end"]  # fmt: skip
+    tick = ["World cogs 1", "0: tick.cog", "== cog/tick.cog", "symbols", "message startup", "end", "code",
+            "startup: SetThingPulse(GetLocalPlayerThing(), 0.1); return;", "end"]  # fmt: skip
+    lines = class_cog(box, *things(1))
+    at = lines.index("== cog/lamp.cog")
+    (found,) = hotspots(*lines[:at], *tick, *lines[at:])
+    assert found.calls_per_second == pytest.approx(10)
+
+
 @pytest.mark.parametrize("how", [
     "box none type=actor explode=lamp", "box none type=weapon creatething=lamp", "box none type=actor weapon=lamp",
 ])  # fmt: skip

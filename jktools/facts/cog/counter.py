@@ -20,6 +20,9 @@ from jktools.facts.cog.repeats import FRAMES_PER_SECOND, NEVER, ONCE, UNBOUNDED,
 from jktools.facts.cog.sleeping import SleepingLoops
 from jktools.model.cog.program import Program
 
+MOST_PAIRS = 2000
+"""Of blocks in a loop: in a greater one, blocks are not looked at one by one."""
+
 
 class _Loop(NamedTuple):
     header: int
@@ -85,7 +88,8 @@ class Counter:
             inside = frozenset(i for i in self.reach.blocks_from([entry], into_calls=False) if i in self.known.visited)
             found = dict.fromkeys(sorted(inside), ONCE)
             self._effort.add(len(found))
-            pending = [(part, ONCE) for part in components(self.flow.blocks, inside)]
+            parts = components(self.flow.blocks, inside)
+            pending = [(part, ONCE) for part in parts]
             while pending:
                 part, outer = pending.pop()
                 loop = self._loop(frozenset(part), inside, outer, entry, places)
@@ -93,8 +97,20 @@ class Counter:
                     found[index] = loop.tests if index == loop.header else loop.body
                 if loop.header >= 0:
                     pending += [(p, loop.body) for p in components(self.flow.blocks, frozenset(part), cut=loop.header)]
+            for part in parts:
+                found.update(
+                    self._by_themselves([i for i in part if math.isinf(found[i].per_run)], frozenset(part), places)
+                )
             self._within[key] = found
         return self._within[key]
+
+    def _by_themselves(self, unbounded: list[int], part: frozenset[int], places: int) -> Mapping[int, Repeats]:
+        """Passes of blocks of a loop that may turn without a sleep, but not from such a block to itself."""
+        if len(unbounded) * len(part) > MOST_PAIRS:
+            return {}
+        paces = {index: self._sleeping.pace(index, part, places) for index in unbounded}
+        asked = self._sleeping.asked(part)
+        return {index: Repeats(1.0, 1 / pace, 1.0, asked) for index, pace in paces.items() if pace > 0}
 
     def _loop(self, part: frozenset[int], inside: frozenset[int], outer: Repeats, entry: int, places: int) -> _Loop:
         """How often a loop's header and the rest of it are passed."""

@@ -56,6 +56,7 @@ class SleepingLoops:
     def pace(self, header: int, part: frozenset[int], places: int) -> float:
         """The least time that a turn takes by its sleeps; 0 when a turn may not sleep at all.
 
+        A turn is a way from a block of the loop to itself: from `header`, or from any other that stands in its place.
         `places` is how many labels, one inside the other, are sure to be called and to sleep undisturbed.
         """
         lasting = self._sleeps(header, places)

@@ -86,7 +86,7 @@ class Hotspot:
             return verb[self.verdict]
         told = sorted(self.verdicts.items(), key=lambda each: each[1] is Verdict.VARIES)
         known = [f"{verb[verdict]} by {engine}" for engine, verdict in told]
-        return " and ".join(known) if told[0][1] is not Verdict.VARIES else None
+        return ", while it ".join(known) if told[0][1] is not Verdict.VARIES else None
 
     @property
     def surfaces_per_second(self) -> float:

@@ -241,8 +241,11 @@ class Network:
 
     def wakers(self, runner: Runner, site: Site) -> frozenset[str]:
         """The handlers whose messages can come to the same loop around a call."""
-        repeats = self.repeats[runner]
-        return frozenset(n.label for n in self.live if n.runner is runner and site.block in repeats[n.label])
+        return frozenset(
+            label
+            for label, passes in self.repeats[runner].items()
+            if site.block in passes and Node(runner, label) in self.inputs
+        )
 
     def may_be_disturbed(self, node: Node, site: Site) -> bool:
         """Whether a loop on the way to a call can turn more often, by what a verb in it makes run in between.

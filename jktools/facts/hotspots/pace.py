@@ -222,9 +222,9 @@ class _Solution:
         return found
 
     def _needs_of(self, sending: Sending) -> list[_Vertex]:
-        passes = self.network.passes(sending.sender, sending.site)
-        wake = _wake(self.network, sending.sender, sending.site)
-        return [sending.sender, wake] if passes.per_interruption else [sending.sender]
+        if not self.network.passes(sending.sender, sending.site).per_interruption:
+            return [sending.sender]
+        return [sending.sender, _wake(self.network, sending.sender, sending.site)]
 
     def _inputs(self, vertex: _Vertex) -> list[tuple[Inputs, Runner | None]]:
         """What runs a handler; of a loop, all that runs its handlers but what the script sends itself, being awake."""

@@ -20,7 +20,7 @@ def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     The test costs time and decides nothing. Reported is a call between things that stay where they are placed, by the
     whole scene: walls, and things in the way that stay too. No script can change what the answer hangs on, and where it
     always succeeds nothing solid can come between: by the research document any body or shot, by the decompiled engine
-    things of type cog. Where only one of them is sure, the finding says so.
+    things of type cog. Where only one of them is sure, the finding says so: such a test may work in one engine alone.
 
     ## Bad
         World adjoins 2
@@ -64,9 +64,7 @@ def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             yield Finding(
                 place_of(spot.runner),
                 f"{spot.runner.title} tests sight between things that stay in place, but the test {spot.finds}",
-                spot.help
-                if spot.verdict is not Verdict.VARIES
-                else "leave the test out if the level is for that engine alone",
+                spot.help if spot.verdict is not Verdict.VARIES else "do not build on this test: engines differ in it",
                 subject_of(spot.runner),
                 (spot.runner.script.label(spot.site.call, "the call"),),
             )
