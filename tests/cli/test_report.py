@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import html
 import json
 import re
 import shutil
@@ -90,6 +91,18 @@ def test_a_finding_has_the_place_of_its_object() -> None:
     assert found["JK701"]["place"] == pytest.approx(level.vertices[[12, 13, 8, 9]].mean(axis=0), abs=1e-4)
     assert found["JK730"]["place"] == [0.5, 0.5, 0.5]
     assert (found["JK730"]["kind"], found["JK730"]["index"]) == ("thing", 3)
+
+
+@pytest.mark.parametrize("path", [ENGINE, "fixtures/smithdev/smithdev.gob"])
+def test_a_finding_in_the_list_leads_to_itself_in_the_picture(path: str) -> None:
+    """By its number: a place is written as -17.0 here and -17 by a browser, and two findings may say the same."""
+    page = page_of(path)
+    held = page.data["level"]["findings"]
+    placed = [f for f in page.findings if "placed" in str(f["class"]).split()]
+    assert [int(str(f["data-finding"])) for f in placed] == list(range(len(held))) != []
+    assert [str(f["class"]).split()[0] for f in placed] == [f["severity"] for f in held]
+    listed = re.findall(r'<li class="\w+ placed".*?<p>(.*?)</p>', Path("page.html").read_text("utf-8"), re.DOTALL)
+    assert [html.unescape(text) for text in listed] == [f["message"] for f in held]
 
 
 def test_every_finding_of_lint_is_on_the_page(capsys: pytest.CaptureFixture[str]) -> None:

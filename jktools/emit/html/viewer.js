@@ -346,12 +346,13 @@
     tellSurface(s);
     choose(s, level.surface_sector[s], null);
   }
+  const findingOf = (row) => level.findings[Number(row.dataset.finding)];
   function show(finding) {
     tell(`${finding.code}: ${finding.message}`, finding.help, finding.where);
     if (finding.kind === "surface") choose(finding.index, level.surface_sector[finding.index], finding.place);
     else choose(-1, finding.kind === "sector" ? finding.index : -1, finding.place);
     for (const row of document.querySelectorAll("#findings .placed")) {
-      const its = row.dataset.place === finding.place.join(" ") && row.querySelector("p").textContent === finding.message;
+      const its = findingOf(row) === finding;
       row.classList.toggle("chosen", its);
       if (its) row.scrollIntoView({ block: "nearest" });
     }
@@ -435,8 +436,7 @@
     }
   };
   onChoice("#findings .placed", (item) => {
-    const message = item.querySelector("p").textContent;
-    const finding = level.findings.find((f) => f.place.join(" ") === item.dataset.place && f.message === message);
+    const finding = findingOf(item);
     goTo(finding.place);
     show(finding);
   });
