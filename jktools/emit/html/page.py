@@ -56,9 +56,9 @@ def level_page(page: LevelPage) -> str:
     positions = {thing["index"]: thing["position"] for thing in drawn["things"]} if drawn else {}
     rows = [_row(page, diagnostic, positions) for diagnostic in page.findings]
     placed = [row for row in rows if row["place"]]
+    for number, row in enumerate(placed):
+        row["number"] = number
     data = None if drawn is None else _embedded({**drawn, "findings": placed})
-    for i, row in enumerate(placed):
-        row["at"] = i
     return (
         _templates()
         .get_template("level.html")

@@ -348,13 +348,12 @@
     tellSurface(s);
     choose(s, level.surface_sector[s], null);
   }
-  const findingOf = (row) => level.findings[Number(row.dataset.finding)];
   function show(finding) {
     tell(`${finding.code}: ${finding.message}`, finding.help, finding.where);
     if (finding.kind === "surface") choose(finding.index, level.surface_sector[finding.index], finding.place);
     else choose(-1, finding.kind === "sector" ? finding.index : -1, finding.place);
     for (const row of document.querySelectorAll("#findings .placed")) {
-      const its = findingOf(row) === finding;
+      const its = level.findings[row.dataset.finding] === finding;
       row.classList.toggle("chosen", its);
       if (its) row.scrollIntoView({ block: "nearest" });
     }
@@ -438,7 +437,7 @@
     }
   };
   onChoice("#findings .placed", (item) => {
-    const finding = findingOf(item);
+    const finding = level.findings[item.dataset.finding];
     goTo(finding.place);
     show(finding);
   });

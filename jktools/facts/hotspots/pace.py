@@ -18,6 +18,7 @@ from functools import cached_property
 from typing import NamedTuple, TypeVar
 
 from jktools.facts.cog import ranges
+from jktools.facts.cog.counting import MOST_SEEN
 from jktools.facts.cog.loops import endless_parts
 from jktools.facts.cog.lowering import Block
 from jktools.facts.cog.rates import Site, apart
@@ -70,11 +71,13 @@ _Vertex = Node | Wake | Clock
 class Paces:
     """Of all scripts of one level."""
 
-    def __init__(self, runners: Iterable[Runner], frames: float) -> None:
-        """`frames` are the game's a second."""
+    def __init__(
+        self, runners: Iterable[Runner], frames: float, most_seen: Callable[[Runner], int] = lambda _: MOST_SEEN
+    ) -> None:
+        """`frames` are the game's a second; `most_seen`: how many things FirstThingInView can find for a script."""
         self.runners = tuple(runners)
         self.frame = 1.0 / frames
-        self.network = Network(self.runners, frames)
+        self.network = Network(self.runners, frames, most_seen)
         self.bounds = _Solution(self.network, self.frame).run()
 
     def labels(self, runner: Runner, site: Site) -> list[str]:
@@ -89,12 +92,9 @@ class Paces:
         """How often a call happens in the runs of a handler."""
         return self.network.passes(Node(runner, label), site)
 
-    def calls(self, runner: Runner, label: str, site: Site, per_run: float | None = None) -> Bound:
-        """How often a handler comes to a call; `per_run` is the most in one run where more is known of that."""
-        passes = self.passes(runner, label, site)
-        if per_run is not None:
-            passes = passes._replace(per_run=per_run)
-        return _calls(self.bounds, self.network, Node(runner, label), site, passes)
+    def calls(self, runner: Runner, label: str, site: Site) -> Bound:
+        """How often a handler comes to a call."""
+        return _calls(self.bounds, self.network, Node(runner, label), site, self.passes(runner, label, site))
 
     def is_open(self, runner: Runner, label: str, site: Site) -> bool:
         """Whether a handler can come to a call more often than `calls` tells, by what is not known."""
