@@ -257,7 +257,9 @@
       faces.draw(3 * ends[0]);
       gl.depthMask(true);
       gl.disable(gl.POLYGON_OFFSET_FILL);
+      gl.depthMask(false);  // or, from above, the upper edge of an opening would hide the ledge at its foot
       if (state.outlines) outlines.draw();
+      gl.depthMask(true);
       ledges.draw();
       gl.disable(gl.DEPTH_TEST);
       gl.uniform1f(program.cut, 1e9);
