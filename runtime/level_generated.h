@@ -5710,7 +5710,7 @@ struct Ledges FLATBUFFERS_FINAL_CLASS : private ::flatbuffers::Table {
   const ::flatbuffers::Vector<float> *body_step() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_STEP);
   }
-  /// JKU.
+  /// How high it jumps, JKU; infinite where no gravity and no air end the jump.
   const ::flatbuffers::Vector<float> *body_jump() const {
     return GetPointer<const ::flatbuffers::Vector<float> *>(VT_BODY_JUMP);
   }

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import sys
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +19,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from fixtures.smithdev.chambers.colour_room import REGIONS, effect
+from fixtures.smithdev.chambers.orientation_room import ORIENTS
 from fixtures.smithdev.palette import nearest
 from jktools.engine import light, orientation, particles
 from jktools.engine.framebuffer import quantise
@@ -195,14 +196,18 @@ def sight(axes: Axes) -> None:
 
 
 TITLES = {
-    "placed": "placed by the level\nat 10/20/0", "ghost at 0": "created on a ghost\nat 0/0/0",
-    "ghost at 45": "created on a ghost\nat 0/45/0", "ghost at 45, NR": "the same\nby CreateThingNR",
+    "placed": "placed by the level\nat {}", "ghost at 0": "created on a ghost\nat {}",
+    "ghost at 45": "created on a ghost\nat {}", "ghost at 45, NR": "the same\nby CreateThingNR",
 }  # fmt: skip
 COLUMNS = (("placed", Creation.PLACED), ("ghost at 0", Creation.CREATE_THING), ("ghost at 45", Creation.CREATE_THING),
            ("ghost at 45, NR", Creation.CREATE_THING_NR))  # fmt: skip
-ROWS = ("level", "raised", "rolled")
 BARREL = np.array([[0, -1.0, 0], [0, 1.0, 0]])
 SCOPE = np.array([[0, 0, 0], [0, 0, 0.5]])
+
+
+def triplet(angles: Iterable[float]) -> str:
+    """Pitch, yaw and roll as the level's own text has them."""
+    return "/".join(f"{angle:g}" for angle in angles)
 
 
 def strifles(axes: Axes) -> None:
@@ -210,20 +215,19 @@ def strifles(axes: Axes) -> None:
     c, held = compiled(), HANDLE["orientation_room"]
     assert c.things is not None and c.templates is not None
     angles = dict(zip(c.things.source.tolist(), np.asarray(c.things.angles, np.float64), strict=True))
-    orients = {"level": (0, 0, 0), "raised": (45, 0, 0), "rolled": (0, 0, 45)}
     for x, (name, how) in enumerate(COLUMNS):
-        for y, row in enumerate(ROWS):
+        for y, row in enumerate(ORIENTS):
             own = angles[held["things"][f"{name} {y}"]]
-            look = orientation.created(how, orients[row], placed=own, spawner=orientation.matrix(own))
+            look = orientation.created(how, ORIENTS[row], placed=own, spawner=orientation.matrix(own))
             for part, color in ((BARREL, "tab:blue"), (SCOPE, "tab:red")):
                 points = part @ look.T
                 flat = np.stack([points[:, 0] + 3 * x, points[:, 2] + 0.5 * points[:, 1] - 2.2 * y], axis=1)
                 axes.plot(flat[:, 0], flat[:, 1], color=color, linewidth=2)
                 if color == "tab:blue":
                     axes.plot(*flat[1], "o", color=color, markersize=4)
-        axes.text(3 * x, 1.4, TITLES[name], ha="center")
-    for y, row in enumerate(ROWS):
-        axes.text(-1.6, -2.2 * y, f"orient={'/'.join(map(str, orients[row]))}", ha="right", va="center")
+        axes.text(3 * x, 1.4, TITLES[name].format(triplet(own)), ha="center")
+    for y, row in enumerate(ORIENTS):
+        axes.text(-1.6, -2.2 * y, f"orient={triplet(ORIENTS[row])}", ha="right", va="center")
     axes.plot([], [], "o-", color="tab:blue", markersize=4, label="barrel and muzzle")
     axes.plot([], [], color="tab:red", label="its up")
     axes.legend(loc="upper center", bbox_to_anchor=(0.55, 0.02), ncols=2, frameon=False)

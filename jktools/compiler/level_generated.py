@@ -8621,7 +8621,7 @@ class Ledges(object):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(10))
         return o == 0
 
-    # JKU.
+    # How high it jumps, JKU; infinite where no gravity and no air end the jump.
     # Ledges
     def BodyJump(self, j):
         o = flatbuffers.number_types.UOffsetTFlags.py_type(self._tab.Offset(12))

@@ -8,7 +8,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -19,9 +19,11 @@ from jktools.facts.floors import PLACED
 from jktools.facts.ledges import Kind, Ledges, Limits
 from jktools.facts.openings import MOVEMENT
 from jktools.geometry.components import components
+from jktools.geometry.mesh import SectorMesh
 from jktools.model import Level
 
 Bool = npt.NDArray[np.bool_]
+Float64 = npt.NDArray[np.float64]
 Int32 = npt.NDArray[np.int32]
 UInt8 = npt.NDArray[np.uint8]
 
@@ -72,6 +74,8 @@ class Basin:
     left: Way
     rows: tuple[int, ...]
     """The ledges that lead in, rows of `Ledges`."""
+    share: float
+    """Of the area of all floors of the level, seen from above."""
 
     @property
     def is_inescapable(self) -> bool:
@@ -97,19 +101,20 @@ class _Ways(NamedTuple):
     kind: UInt8
     back: Bool
     """Whether it is the way back up to the edge of a thing, which no edge of a floor tells."""
+    narrow: Bool
+    """Whether it leads down where no body fits in."""
 
 
-def basins_of(level: Level, ledges: Ledges, touched: Touched) -> tuple[Basin, ...]:
+def basins_of(level: Level, mesh: SectorMesh, ledges: Ledges, touched: Touched) -> tuple[Basin, ...]:
     """The basins of one body, by their first floors.
 
     Floors are surfaces and the faces of things as they are placed; a basin without a surface is left out.
     """
-    count, ways = len(level.surfaces), _ways(level, ledges)
-    bridged = (ways.kind == Kind.SEAMLESS) & ledges.narrow[ways.row]
-    falls = np.isin(ways.kind, _FALLS) & (ways.there >= 0) & ~bridged
+    count, ways = len(level.surfaces), _ways(level, mesh, ledges)
+    falls = np.isin(ways.kind, _FALLS) & (ways.there >= 0) & ~ways.narrow
     region = components(count + len(ledges.edges.solids.face_solid), ways.here[falls], ways.there[falls])
     here = region[ways.here]
-    lands = (ways.there >= 0) & np.isin(ways.kind, (*_FALLS, Kind.LIP, Kind.JUMP)) & ~bridged
+    lands = (ways.there >= 0) & np.isin(ways.kind, (*_FALLS, Kind.LIP, Kind.JUMP)) & ~ways.narrow
     there = np.where(lands, region[ways.there], -1)
     apart = lands & (there != here)
     leaves_down = np.zeros(len(region), np.bool_)
@@ -117,29 +122,90 @@ def basins_of(level: Level, ledges: Ledges, touched: Touched) -> tuple[Basin, ..
     deep = (ledges.deepest[ways.row] > 0) & ~ledges.narrow[ways.row] & ~ways.back
     entering = apart & np.isin(ways.kind, (Kind.SEAMLESS, Kind.FALL, Kind.JUMP)) & deep
     starting, found = set(starts(level)), []
+    floor_area = _areas(level, np.flatnonzero(ledges.edges.floors))
+    of_things = np.ones(len(region), np.bool_)
+    of_things[region[np.flatnonzero(ledges.edges.floors)]] = False
     for number in sorted(set(there[entering & ~leaves_down[there]].tolist())):
         surfaces = np.flatnonzero(ledges.edges.floors & (region[:count] == number))
         if not len(surfaces):
             continue
-        rows = ways.row[entering & (there == number)]
+        into = entering & (there == number)
+        inner = [
+            top for top in set(here[into & of_things[here]].tolist()) if _only_from(here, there, apart, top, number)
+        ]
+        rows = ways.row[into & ~np.isin(here, inner)]
+        if not len(rows):
+            continue  # from things that stand on it
         drops = np.concatenate([ledges.drop_start[rows], ledges.drop_end[rows]])
         shallowest, deepest = max(0.0, float(drops.min())), float(drops.max())
         entered = _entered(ledges.kind[rows])
         if starting & set(level.surface_sector[surfaces].tolist()):
             entered |= Entry.START
         left = Way.DEADLY if _kills(level, ledges, rows) else Way(0)
-        own = here == number
+        own = (here == number) & ~ways.narrow
+        onto = own & apart & of_things[there]
+        if onto.any() and not _leads_on(here, there, apart, of_things, number):
+            helps = _tops_help(level, ledges, surfaces, rows)
+            own = own & ~onto if not helps else own
         left |= _left(level, ways.kind[own], apart[own], surfaces, touched)
         left |= _left_above(level, surfaces, deepest)
         if _comes_to(level, ledges, surfaces):
             left |= Way.MOVER
-        if (ledges.thing[ways.row[own & (ways.kind == Kind.UNKNOWN)]] < 0).any():
-            left |= Way.UNKNOWN
-        found.append(Basin(tuple(surfaces.tolist()), shallowest, deepest, entered, left, tuple(rows.tolist())))
+        open_by = ledges.thing[ways.row[own & (ways.kind == Kind.UNKNOWN)]]
+        left |= (Way.MOVER if (open_by >= 0).any() else Way(0)) | (Way.UNKNOWN if (open_by < 0).any() else Way(0))
+        share = float(_areas(level, surfaces).sum() / max(floor_area.sum(), np.finfo(np.float64).tiny))
+        found.append(Basin(tuple(surfaces.tolist()), shallowest, deepest, entered, left, tuple(rows.tolist()), share))
     return tuple(sorted(found, key=lambda basin: basin.surfaces))
 
 
-def _ways(level: Level, ledges: Ledges) -> _Ways:
+def _areas(level: Level, surfaces: npt.NDArray[np.intp]) -> Float64:
+    """Of surfaces seen from above, JKU squared."""
+    found = []
+    for surface in surfaces.tolist():
+        x, y = level.surfaces[surface].positions[:, :2].astype(np.float64).T
+        found.append(abs(float((x * np.roll(y, -1) - y * np.roll(x, -1)).sum())) / 2)
+    return np.array(found, np.float64)
+
+
+def _only_from(here: Int32, there: npt.NDArray[Any], apart: Bool, top: int, number: int) -> bool:
+    """Whether nobody gets onto a thing but from a basin: then it is no way in."""
+    return not (apart & (there == top) & (here != number)).any()
+
+
+def _leads_on(here: Int32, there: npt.NDArray[Any], apart: Bool, of_things: Bool, number: int) -> bool:
+    """Whether a way from things that a body gets onto from a basin leads to other floors of the level."""
+    seen, waiting = {number}, [number]
+    while waiting:
+        at = waiting.pop()
+        for after in sorted(set(there[apart & (here == at)].tolist()) - seen):
+            if not of_things[after]:
+                if at != number:
+                    return True
+                continue
+            seen.add(after)
+            waiting.append(after)
+    return False
+
+
+def _tops_help(level: Level, ledges: Ledges, surfaces: npt.NDArray[np.intp], rows: npt.NDArray[np.intp]) -> bool:
+    """Whether a jump from the highest thing that a body gets onto in a basin, from one to the next, reaches the rim.
+
+    However far they are from each other and from the rim: a jump over a gap is not followed.
+    """
+    here, there = ledges.edges.ends(ledges.edge[rows])
+    rim = float(np.minimum(here[:, 2], there[:, 2]).min())
+    corners = np.concatenate([level.surfaces[surface].positions for surface in surfaces.tolist()])
+    low, high = corners.min(axis=0)[:2], corners.max(axis=0)[:2]
+    placed = [each for each in ledges.floors.platforms if each.frame == PLACED]
+    over = [each for each in placed if (each.low[:2] <= high).all() and (each.high[:2] >= low).all()]
+    jump, height = ledges.walker.jump(ledges.engine), float(corners[:, 2].max())
+    for top in sorted(float(each.high[2]) for each in over):
+        if top <= height + jump:
+            height = max(height, top)
+    return rim <= height + jump
+
+
+def _ways(level: Level, mesh: SectorMesh, ledges: Ledges) -> _Ways:
     count = len(level.surfaces)
     rows = np.flatnonzero(ledges.carrier_frame == PLACED)
     surface, face = ledges.surface[rows], ledges.edges.face[ledges.edge[rows]]
@@ -148,18 +214,48 @@ def _ways(level: Level, ledges: Ledges) -> _Ways:
     there = np.where(below >= 0, below, np.where(onto >= 0, count + onto, -1))
     kind = ledges.kind[rows]
     back = np.flatnonzero((face >= 0) & (there >= 0) & np.isin(kind, (Kind.SEAMLESS, Kind.FALL)))
-    limits, rise = Limits.of(ledges.walker, ledges.engine, lips=bool(len(back))), ledges.least[rows[back]]
+    gaps, across, rises = _across(mesh, ledges, np.flatnonzero(ledges.narrow[rows]), rows)
+    limits = Limits.of(ledges.walker, ledges.engine, lips=bool(len(back) + len(gaps)))
+    rises = np.concatenate([ledges.least[rows[back]], rises])
     up = np.select(
-        [rise <= limits.clearance, rise <= limits.lip, rise <= limits.jump, rise <= limits.hover],
-        [Kind.STEP, Kind.LIP, Kind.JUMP, Kind.UNKNOWN], Kind.WALL,
+        [rises <= 0, rises <= limits.clearance, rises <= limits.lip, rises <= limits.jump, rises <= limits.hover],
+        [Kind.LEVEL, Kind.STEP, Kind.LIP, Kind.JUMP, Kind.UNKNOWN], Kind.WALL,
     )  # fmt: skip
+    more = np.concatenate([rows[back], rows[gaps]])
     return _Ways(
-        np.concatenate([rows, rows[back]]),
-        np.concatenate([here, there[back]]).astype(np.int32),
-        np.concatenate([there, here[back]]).astype(np.int32),
+        np.concatenate([rows, more]),
+        np.concatenate([here, there[back], here[gaps]]).astype(np.int32),
+        np.concatenate([there, here[back], across]).astype(np.int32),
         np.concatenate([kind, up.astype(np.uint8)]),
-        np.arange(len(rows) + len(back)) >= len(rows),
+        np.arange(len(rows) + len(more)) >= len(rows),
+        np.concatenate([ledges.narrow[rows], np.zeros(len(more), np.bool_)]),
     )
+
+
+def _across(
+    mesh: SectorMesh, ledges: Ledges, narrow: npt.NDArray[np.intp], rows: npt.NDArray[np.intp]
+) -> tuple[npt.NDArray[np.intp], Int32, Float64]:
+    """What lies across gaps that no body fits in, one and two radii past the middle of each: floors of the level.
+
+    Which of the narrow rows, the surface, and how much higher it is, JKU.
+    """
+    start, end = ledges.edges.ends(ledges.edge[rows[narrow]])
+    along = end - start
+    outward = np.stack([along[:, 1], -along[:, 0]], axis=1)
+    outward /= np.maximum(np.linalg.norm(outward, axis=1), np.finfo(np.float64).tiny)[:, None]
+    middle = start + along * ((ledges.start + ledges.end)[rows[narrow]] / 2)[:, None]
+    hover = ledges.walker.hover(ledges.engine)
+    found: list[tuple[npt.NDArray[np.intp], Int32, Float64]] = []
+    for radii in (1, 2):
+        points = middle + np.array([0.0, 0.0, hover])
+        points[:, :2] += outward * radii * ledges.walker.body.movesize
+        sectors = mesh.locate(points)
+        inside = np.flatnonzero(sectors >= 0)
+        fall = mesh.drop(points[inside], sectors[inside], hover + ledges.walker.reattach(ledges.engine))
+        lands = np.flatnonzero(fall.surface >= 0)
+        found.append((narrow[inside[lands]], fall.surface[lands], hover - fall.distance[lands]))
+    gaps, across, rises = (np.concatenate(column) for column in zip(*found, strict=True))
+    return gaps, across, rises
 
 
 def starts(level: Level) -> list[int]:
@@ -187,7 +283,7 @@ def _left(level: Level, kinds: UInt8, leads: Bool, surfaces: npt.NDArray[np.intp
     for kind, way in ((Kind.LIP, Way.WALK), (Kind.JUMP, Way.JUMP)):
         if (leads & (kinds == kind)).any():
             left |= way
-    for kind, way in ((Kind.WATER, Way.WATER), (Kind.UNKNOWN, Way.MOVER), (Kind.NONE, Way.UNKNOWN)):
+    for kind, way in ((Kind.WATER, Way.WATER), (Kind.NONE, Way.UNKNOWN)):
         if (kinds == kind).any():
             left |= way
     sectors = np.unique(level.surface_sector[surfaces])

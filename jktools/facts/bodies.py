@@ -48,6 +48,11 @@ class Walker:
         more = f" (and {len(self.names) - 1} more)" if len(self.names) > 1 else ""
         return f"{self.names[0]}{more}"
 
+    @property
+    def comes_down(self) -> bool:
+        """Whether it falls once it has let go of its floor: not in a level whose gravity is 0 or less."""
+        return self.gravity > 0
+
     def hover(self, engine: Engine) -> float:
         """JKU of its centre over its floor."""
         b = self.body
@@ -68,10 +73,13 @@ class Walker:
         return highest_lip(self.body, self.gravity, engine)
 
     def apex(self, *, crouching: bool = False) -> float:
-        """How high it jumps, JKU."""
-        if not (self.body.jumpspeed > 0 and self.gravity > 0):
-            return 0.0
+        """How high it jumps, JKU; without gravity as far as the air lets it, under a negative one without end."""
         speed = self.body.jumpspeed * (CROUCHED_JUMP_FACTOR if crouching else 1.0)
+        if not speed > 0:
+            return 0.0
+        if not self.comes_down:
+            drifts = self.gravity == 0 and self.body.airdrag > 0
+            return speed / self.body.airdrag if drifts else math.inf
         return float(apex(speed, self.body.airdrag, self.gravity).height)
 
     def deadly_drop(self) -> float:

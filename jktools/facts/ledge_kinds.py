@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -40,12 +41,17 @@ class Kind(enum.IntEnum):
     """Up or over, by a jump."""
     WALL = 8
     UNKNOWN = 9
-    """A thing that bodies can stand on may be there or not; or a lip that a body slides up on some days only."""
+    """A thing that bodies can stand on may be there or not; a lip that a body slides up on some days only; or what it
+    comes to by letting go where no gravity takes it down."""
 
 
 DOWN = (Kind.SEAMLESS, Kind.FALL)
 WALKED = (Kind.LEVEL, Kind.SEAMLESS, Kind.STEP, Kind.LIP)
 """Kinds that a body passes without a jump and without letting go."""
+
+
+_IN_THE_AIR = np.array([Kind.FALL, Kind.WATER, Kind.NONE, Kind.JUMP, Kind.WALL], np.uint8)
+"""Kinds that begin with letting go: a body that then floats may come anywhere."""
 
 
 class Limits(NamedTuple):
@@ -107,6 +113,8 @@ def judge(found: Beyond, walker: Walker, engine: Engine) -> Judged:
     found = cut_through(found, ("past_start", "past_end"), sorted(set(reattach)))
     found = cut_through(found, ("far_start", "far_end"), sorted({far, -far, *reattach}))
     kinds = {each: _classed(found, limits[each], radius, each) for each in Engine}
+    if not walker.comes_down:
+        kinds = {each: np.where(np.isin(kind, _IN_THE_AIR), Kind.UNKNOWN, kind) for each, kind in kinds.items()}
     (other,) = set(Engine) - {engine}
     shallow = _middle(found.drop_start, found.drop_end) <= limits[engine].reattach
     down = np.isin(kinds[engine], (Kind.FALL, Kind.NONE, Kind.WATER)) | (kinds[engine] == Kind.SEAMLESS) & ~shallow
@@ -117,7 +125,8 @@ def judge(found: Beyond, walker: Walker, engine: Engine) -> Judged:
 
 
 def _cuts(limits: Limits) -> tuple[float, ...]:
-    return (limits.hover, limits.reattach, -limits.clearance, -limits.lip, -limits.hover, -limits.jump)
+    found = (limits.hover, limits.reattach, -limits.clearance, -limits.lip, -limits.hover, -limits.jump)
+    return tuple(each for each in found if math.isfinite(each))
 
 
 def _may_be_lip(found: Beyond, walker: Walker, engine: Engine) -> bool:

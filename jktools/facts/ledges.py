@@ -176,7 +176,7 @@ def ledges_of(
     """
     radius = walker.body.movesize
     shallow = min(min(walker.hover(each), walker.reattach(each)) for each in Engine)
-    rises = math.ceil(min(walker.apex() / radius, MOST_RISES))
+    rises = math.ceil(min(walker.apex() / radius, MOST_RISES)) if walker.comes_down else 0
     gait = Gait(walker.hover(engine), radius, radius, rises, shallow)
 
     def judged(scene: Scene, rows: Int32) -> Judged:

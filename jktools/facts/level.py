@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from functools import cached_property
 
+import numpy as np
+
 from jktools import geometry
 from jktools.engine.profile import Engine
 from jktools.facts.basins import Basin, Touched, basins_of, touched_by_scripts
@@ -33,12 +35,13 @@ from jktools.facts.occluders import Occluders
 from jktools.facts.openings import MOVEMENT, NOT_FOR_PLAYERS, VISIBLE, cleared_by_cogs, opened_by_cogs
 from jktools.facts.reachability import Reach, reach
 from jktools.facts.references import FileReference, file_references
+from jktools.facts.roaming import Roaming
 from jktools.facts.scene import Scene as SightScene
 from jktools.facts.scene import scene
 from jktools.facts.script import ScriptFacts, script_facts
 from jktools.facts.sightline import EndpointError
 from jktools.facts.still import Still
-from jktools.facts.travel import PLAYER, landings, passages, reached, rides
+from jktools.facts.travel import PLAYER, landings, named_by_unread, passages, puts, reached, rides
 from jktools.geometry import (
     Accuracy,
     Alignment,
@@ -166,7 +169,7 @@ class LevelFacts:
 
     def basins(self, walker: Walker, engine: Engine = Engine.RESEARCH, accuracy: str = "balanced") -> tuple[Basin, ...]:
         """Where a body whose hover height is known comes down to, and what leads out."""
-        return basins_of(self.level, self.ledges(walker, engine, accuracy), self.touched)
+        return basins_of(self.level, self.mesh, self.ledges(walker, engine, accuracy), self.touched)
 
     @cached_property
     def overlaps(self) -> Overlaps:
@@ -332,7 +335,15 @@ class LevelFacts:
         still = Still(self.level, self.instances, self.running, self.reach)
         verdicts = Verdicts((t for t in self.level.things if t.dropped is None), still, self._seen)
         work = SightWork(self.level, self.mesh, self.changeable_surfaces)
-        return Scene(self.level, self.running, work, verdicts, self.reach.created).hotspots()
+        return Scene(self.level, self.running, work, verdicts, self.roaming.sectors, self.reach.created).hotspots()
+
+    @cached_property
+    def roaming(self) -> Roaming:
+        """The sectors that bodies of any kind come to."""
+        changeable = np.array(sorted(self.changeable_surfaces), np.int32)
+        ways = passages(self.level, changeable, np.arange(len(self.level.surfaces), dtype=np.int32))
+        named = named_by_unread(self.level, self.instances)
+        return Roaming(self.level, ways, rides(self.mesh, self.movers), puts(self.level, self.runners), named)
 
     def _seen(self, a: int, b: int, engine: Engine) -> SightScene | None:
         """What is seen of one thing from another, by their numbers; None where one is not in the level."""

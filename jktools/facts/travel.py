@@ -20,6 +20,7 @@ Steps, heights and falls are not: a hole in the ceiling counts as a way up.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -33,6 +34,19 @@ from jktools.geometry.mesh import SectorMesh
 from jktools.geometry.validity import Int32
 from jktools.model import Level, Thing
 from jktools.model.cog.values import to_int
+
+
+class Put(NamedTuple):
+    """A call that sets the place of things."""
+
+    runner: Runner
+    whom: frozenset[End]
+    """Whom it puts there."""
+    sectors: frozenset[int] | None
+    """Where; None where that is not known."""
+    onto: tuple[Thing, ...] = ()
+    """Where things are by then that move."""
+
 
 Ways = Sequence[Sequence[int]]
 """From each sector, those that a body comes to from there at once."""
@@ -71,18 +85,34 @@ def rides(mesh: SectorMesh, movers: Iterable[Mover]) -> Iterator[frozenset[int]]
 
 def landings(level: Level, instances: Iterable[InstanceFacts], runners: Iterable[Runner]) -> frozenset[int] | None:
     """The sectors that scripts put things in; None where a script may put a player where nobody knows."""
-    things = {thing.number: thing for thing in level.things if thing.dropped is None}
-    found: set[int] = set()
-    for instance in instances:
-        if instance.script is None:
-            found |= _named(level, things, instance.cog.values)
-    for runner in runners:
-        for site in runner.analysis.rates.sites:
-            put = _put(runner, site, things)
-            if put is None:
+    things = _placed(level)
+    found = set(named_by_unread(level, instances))
+    for put in puts(level, runners):
+        if put.sectors is None or any(thing.resolved.type != PLAYER for thing in put.onto):
+            if any(_is_player(end, things) for end in put.whom):
                 return None
-            found |= put
+        else:
+            found |= put.sectors
     return frozenset(sector for sector in found if 0 <= sector < len(level.sectors))
+
+
+def puts(level: Level, runners: Iterable[Runner]) -> list[Put]:
+    """The calls of running scripts that set the place of things."""
+    things = _placed(level)
+    found = (_put(runner, site, things) for runner in runners for site in runner.analysis.rates.sites)
+    return [put for put in found if put is not None]
+
+
+def named_by_unread(level: Level, instances: Iterable[InstanceFacts]) -> frozenset[int]:
+    """The sectors that the values of scripts which are not at hand can mean."""
+    things = _placed(level)
+    unread = [instance for instance in instances if instance.script is None]
+    found = {sector for instance in unread for sector in _named(level, things, instance.cog.values)}
+    return frozenset(sector for sector in found if 0 <= sector < len(level.sectors))
+
+
+def _placed(level: Level) -> dict[int, Thing]:
+    return {thing.number: thing for thing in level.things if thing.dropped is None}
 
 
 def reached(ways: Ways, starts: Iterable[int], lifts: Iterable[frozenset[int]] = ()) -> frozenset[int]:
@@ -116,40 +146,38 @@ def _named(level: Level, things: dict[int, Thing], values: Iterable[str]) -> set
     return found
 
 
-def _put(runner: Runner, site: Site, things: dict[int, Thing]) -> set[int] | None:
-    """Where a call puts things; None where that is not known and it may be a player."""
+def _put(runner: Runner, site: Site, things: dict[int, Thing]) -> Put | None:
+    """What a call does to the place of things; None for a call that leaves it."""
     name = site.verb.name
     if name == TELEPORT:
-        return _sectors(runner, site, 1, things)
+        sectors, onto = _goals(runner, site, 1, things)
+        return Put(runner, ends(runner, site, 0), sectors, onto)
     if name == JUMP and len(site.arguments) > 2:
         number = site.arguments[2].number
-        return set(_values(runner, "sector")) if number is None else {to_int(number)}
+        held = set(_values(runner, "sector")) if number is None else {to_int(number)}
+        return Put(runner, frozenset({End("any")}), frozenset(held))  # and whoever rides on it
     unknown = name in BY_VECTOR or (
         site.verb.game == "user" and any(argument.kind in ("thing", "sector") for argument in site.verb.args)
     )
-    return None if unknown and _may_be_player(runner, site, things) else set()
+    return Put(runner, ends(runner, site, 0), None) if unknown else None
 
 
-def _sectors(runner: Runner, site: Site, argument: int, things: dict[int, Thing]) -> set[int] | None:
-    found: set[int] = set()
+def _goals(
+    runner: Runner, site: Site, argument: int, things: dict[int, Thing]
+) -> tuple[frozenset[int] | None, tuple[Thing, ...]]:
+    """The sectors of the things that an argument can be, None where they are not known, and those that move."""
+    found: list[Thing] = []
     for end in ends(runner, site, argument):
         if end.kind == "carrier" and runner.cog is None and not runner.more:
-            held = runner.things
+            found += runner.things
         elif end.kind == "thing":
-            held = (things[end.number],) if end.number in things else ()
+            found += [things[end.number]] if end.number in things else []
         elif end.kind == PLAYER:
-            held = ()
+            found += [thing for thing in things.values() if thing.resolved.type == PLAYER]
         else:
-            return None
-        goals = [thing for thing in held if thing.resolved.type != PLAYER]
-        if any(thing.resolved.move == "physics" for thing in goals):
-            return None
-        found |= {thing.sector_index for thing in goals}
-    return found
-
-
-def _may_be_player(runner: Runner, site: Site, things: dict[int, Thing]) -> bool:
-    return any(_is_player(end, things) for end in ends(runner, site, 0))
+            return None, ()
+    still = frozenset(thing.sector_index for thing in found if thing.resolved.move != "physics")
+    return still, tuple(thing for thing in found if thing.resolved.move == "physics")
 
 
 def _is_player(end: End, things: dict[int, Thing]) -> bool:

@@ -128,7 +128,12 @@ class _Worker:
             self.at_work = False
 
     def stop(self, _: int, __: FrameType | None) -> None:
-        """Give up the level at work, and those that are still sent here: a pool hands some out in advance."""
+        """Give up the level at work, and those that are still sent here: a pool hands some out in advance.
+
+        Once: Ctrl-C reaches each process, and then comes the end that the first one sends. What gives up is let tidy.
+        """
+        if self.stopped:
+            return
         self.stopped = True
         if self.at_work:
             raise KeyboardInterrupt

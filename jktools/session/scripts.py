@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from jktools.facts.references import file_references
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
 from jktools.model.resources import Kind
@@ -36,11 +37,13 @@ def vocabulary_of(member: Member, settings: Settings) -> Vocabulary:
 
 
 def bound_scripts(level: Level) -> Iterator[Member]:
-    """The files of the scripts that a level binds and that come with it, each once.
+    """The files of the scripts that a level binds and that come with it, each once: placed ones, then those of things.
 
-    Those of a base are the game's own, and not the level's to answer for.
+    A thing has the script that its own line or its template's names (`cog=`). Scripts of a base are the game's own, and
+    not the level's to answer for.
     """
-    for name in dict.fromkeys(cog.name.lower() for cog in level.cogs):
+    carried = (r.name for r in file_references(level) if r.kind is Kind.COG and r.where in ("template", "thing"))
+    for name in dict.fromkeys(name.lower() for name in (*(cog.name for cog in level.cogs), *carried)):
         found = level.resources.find(Kind.COG, name)
         if found is not None and found.own and found.member.extension == SCRIPT_EXTENSION:
             yield found.member

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-import tempfile
+import secrets
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -42,15 +42,13 @@ def write_parts(target: Path, parts: Iterable[bytes | memoryview], *, durable: b
     """
     try:
         _make_folder(target.parent)
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:60]}-")
-        fresh = Path(name)
-        try:
-            with os.fdopen(handle, "wb") as stream:
+        fresh = target.parent / f".{target.name[:60]}-{secrets.token_hex(6)}"
+        try:  # from before the file is there: an interrupt may come at any time
+            with fresh.open("xb") as stream:
                 size = sum(stream.write(part) for part in parts)
                 stream.flush()
                 if durable:
                     os.fsync(stream.fileno())
-            fresh.chmod(0o666 & ~_umask())
             fresh.replace(target)
         except BaseException:
             fresh.unlink(missing_ok=True)
@@ -66,9 +64,3 @@ def _make_folder(folder: Path) -> None:
     except (FileExistsError, NotADirectoryError):
         file = next(path for path in (folder, *folder.parents) if path.exists())
         raise InputError(f"cannot write below {file}: it is a file, not a folder") from None
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

@@ -149,6 +149,22 @@ def test_scripts_are_linted_once_each_with_the_levels_that_bind_them(here: Path)
     assert [d.path for d in found if d.code.id == "JK050"] == ["m.gob!cog/Broken.cog"]
 
 
+@pytest.mark.parametrize("binding", [
+    ("World templates 4", "lamp none type=cog cog=broken.cog"),
+    ("World things 1", "0: crate crate 0 0 0 0 0 0 0 cog=BROKEN.cog"),
+], ids=["template", "thing"])  # fmt: skip
+def test_scripts_that_things_carry_are_linted_with_their_level(binding: tuple[str, str], here: Path) -> None:
+    """A swing lamp's script is no placed one: the level's page and its lint alone tell of it all the same."""
+    carrying = two_rooms(*binding).encode()
+    (here / "m.gob").write_bytes(gob_of([("jkl\\a.jkl", carrying), ("cog\\broken.cog", BROKEN)]))
+    one = jktools.check(["m.gob!jkl/a.jkl"])
+    assert (one.files, [d.path for d in one if d.code.id == "JK050"]) == (2, ["m.gob!cog/broken.cog"])
+    found = jktools.lint(jktools.load("m.gob!jkl/a.jkl"))
+    assert [d.path for d in found if d.code.id == "JK050"] == ["m.gob!cog/broken.cog"]
+    assert main(["report", "m.gob", "-o", "page.html"]) == 0
+    assert "JK050" in Path("page.html").read_text("utf-8")
+
+
 @pytest.mark.parametrize(
     ("level", "place"),
     [("mod/jkl/a.jkl", "mod/cog/broken.cog"), ("mod/a.jkl", "mod/cog/Broken.COG"), ("mod/a.jkl", "mod/broken.cog")],

@@ -13,6 +13,9 @@ from pathlib import Path
 
 import pytest
 
+from jktools.session.jobs import Start, _Worker
+from jktools.session.settings import Settings
+from jktools.session.write import write_parts
 from tests.support.levels import TWO_ROOMS
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
@@ -55,6 +58,28 @@ def test_a_build_that_is_ended(tmp_path: Path, jobs: int, sent: signal.Signals, 
     files = [path.name for path in (tmp_path / "out").iterdir()]
     assert len(files) < LEVELS // 2
     assert not [name for name in files if name.startswith(".")]
+
+
+def test_a_process_that_is_told_twice_to_end_tidies_up_between(tmp_path: Path) -> None:
+    """Ctrl-C reaches it first, then what the first process sends: the second must not break into the tidying."""
+    target = tmp_path / "x.jklb"
+
+    def pieces() -> Iterator[bytes]:
+        yield b"half"
+        worker.stop(signal.SIGINT, None)
+
+    worker = _Worker(Start((), Settings(), None))
+    worker.at_work = True
+    unlink = Path.unlink
+
+    def interrupted(path: Path, missing_ok: bool = False) -> None:
+        worker.stop(signal.SIGTERM, None)
+        unlink(path, missing_ok)
+
+    with pytest.MonkeyPatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(Path, "unlink", interrupted)
+        write_parts(target, pieces())
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_processes_end_with_one_that_is_killed(tmp_path: Path) -> None:

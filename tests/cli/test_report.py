@@ -92,6 +92,16 @@ def test_a_finding_has_the_place_of_its_object() -> None:
     assert (found["JK730"]["kind"], found["JK730"]["index"]) == ("thing", 3)
 
 
+def test_a_row_leads_to_its_finding() -> None:
+    page = page_of(ENGINE)
+    placed = [f for f in page.findings if "data-finding" in f]
+    held = page.data["level"]["findings"]
+    assert len(placed) == len(held) > 1
+    for row in placed:
+        assert held[int(row["data-finding"] or "")]["severity"] == (row["class"] or "").split()[0]
+    assert sorted(int(row["data-finding"] or "") for row in placed) == list(range(len(held)))
+
+
 def test_every_finding_of_lint_is_on_the_page(capsys: pytest.CaptureFixture[str]) -> None:
     main(["lint", ENGINE, "--format", "json"])
     said = json.loads(capsys.readouterr().out)["diagnostics"]

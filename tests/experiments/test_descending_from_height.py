@@ -200,3 +200,23 @@ def test_the_bump(depth: str, trace: Run) -> None:
     starts = np.flatnonzero(np.diff(sinking.astype(int), prepend=0) == 1)
     assert len(starts) == 2
     assert RIM <= walk.ahead[starts[0]] < walk.ahead[starts[1]]
+
+
+@pytest.mark.parametrize("depth", ["0.11", "0.13", "0.185", "0.1851"])
+def test_the_bump_of_the_decompiled_engine(depth: str, trace: Run) -> None:
+    """It settles twice where the pit is no deeper than the hover height, as `research` does.
+
+    A deeper one its sphere takes once it has let go of the walkway, a movesize past the rim: the body sinks in one go.
+    The document says that the bump was observed "even in the 0.11 depth pit", so the two differ here.
+    """
+    (pit,) = (p for p in PITS if (p["insert_offset"], p["depth"]) == ("0.120114", depth))
+    options = ("--body", pit["template"], "--set", "maxthrust=0.6", "--fps", "100", "--engine", "openjkdf2")
+    walk = trace("0 walk forward\n5 end", f"pit_rows/{pit['start']}", *options)
+    assert walk.said == []
+    sinking = np.abs(np.diff(walk.position[:, 2]) + 0.5 / 100) < 1e-9
+    starts = np.flatnonzero(np.diff(sinking.astype(int), prepend=0) == 1)
+    takes_at_once = float(depth) <= GOLDEN["walkplayer"]["insert_offset_z"]
+    assert len(starts) == (2 if takes_at_once else 1)
+    let_go = RIM if takes_at_once else RIM + GOLDEN["walkplayer"]["movesize"]
+    # A frame at 0.2 JKU/s is 0.002 JKU.
+    assert let_go <= walk.ahead[starts[0]] <= let_go + 0.002

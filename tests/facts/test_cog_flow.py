@@ -178,6 +178,12 @@ def test_a_jump_leads_to_the_label_that_it_names_and_on_through_those_below() ->
         ("for (i = 0; i < 10; i = i + 1) { Print(1); if (Rand() < 0.1) i = 99; }", 10, 0),
         ("i = 0; do { Print(1); i = i + 1; } while (i < 3);", 3, 0),
         ("again: Print(1); if (Rand() < 0.5) goto again;", math.inf, 0),
+        ("for (i = 0; i < 5 && Rand() < 0.5; i = i + 1) Print(1);", 5, 0),  # goes on only while both hold
+        ("for (i = 0; Rand() < 0.5 && (k != 7 && 5 > i); i = i + 1) Print(1);", 5, 0),
+        ("for (i = 0; !(i >= 5 || Rand() < 0.5); i = i + 1) Print(1);", 5, 0),
+        ("for (i = 0; i < 5 || Rand() < 0.5; i = i + 1) Print(1);", math.inf, 0),  # goes on while one holds
+        ("for (i = 0; !(i >= 5 && Rand() < 0.5); i = i + 1) Print(1);", math.inf, 0),
+        ("for (i = 0; i < 5 & Rand() < 0.5; i = i + 1) Print(1);", math.inf, 0),
         ("call twice; call twice;", 2, 0),
         ("call deep;", 4, 0),  # no more than 4 calls are open at a time
         ("while (1) { Print(1); Sleep(Rand()); }", 1, 50),

@@ -185,7 +185,7 @@ def test_what_is_told_of_a_call() -> None:
         "== cog/look.cog", "symbols", "message activated", "thing a", "thing b", "end", "code",
         f"activated: {LOOK} return;", "end",
     ]  # fmt: skip
-    for level, told in ((SHUT, "never succeeds"), ((), "always succeeds by openjkdf2, but varies by research")):
+    for level, told in ((SHUT, "never succeeds"), ((), "always succeeds by openjkdf2 and varies by research")):
         with level_with_files(*level, *lines) as found:
             (spot,) = LevelFacts(found).hotspots
             assert spot.finds == told
@@ -193,3 +193,6 @@ def test_what_is_told_of_a_call() -> None:
             assert finding.message == (
                 f"cog 0 (look.cog) tests sight between things that stay in place, but the test {told}"
             )
+            known = "the outcome is known beforehand: leave the test out"
+            only = "leave the test out if the level is for that engine alone"
+            assert finding.help == (known if level else only)

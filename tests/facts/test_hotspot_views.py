@@ -12,6 +12,8 @@ from tests.support.hotspots import (
     walk,
 )
 
+LOOK_AT_IT = 'if (HasLOS(turret, victim) == 1) Print("seen");'
+
 
 def test_a_loop_over_what_is_in_view_turns_once_for_each_thing_of_the_type() -> None:
     by_verb = {h.site.verb.name: h for h in guarded(3, *view_loop())}
@@ -27,7 +29,7 @@ def test_the_engine_keeps_no_more_than_32_things_in_view() -> None:
 
 
 @pytest.mark.parametrize(("body", "most"), [
-    (['if (HasLOS(turret, turret) == 1) Print("seen");'], 32),  # not one of the things in view: a list's length
+    (['if (HasLOS(turret, turret) == 1) Print("seen");'], 4),  # once a turn, whatever it looks at
     (["if (HasLOS(turret, victim) == 1) DamageThing(victim, 1, 1, turret);"], 4),
     (["if (HasLOS(turret, victim) == 1) victim = FirstThingInView(turret, 90, 10, 0x404);"], math.inf),
     (['if (HasLOS(turret, victim) == 1) Print("seen");', "FirstThingInView(turret, 90, 10, 0x404);"], math.inf),
@@ -35,6 +37,30 @@ def test_the_engine_keeps_no_more_than_32_things_in_view() -> None:
 def test_what_ends_a_loop_over_things_in_view(body: list[str], most: float) -> None:
     by_verb = {h.site.verb.name: h for h in guarded(3, *walk(*body))}
     assert by_verb["haslos"].per_run == {"pulse": most}
+
+
+@pytest.mark.parametrize(("body", "most"), [
+    (["for (i=0; i<5; i=i+1) {", LOOK_AT_IT, "}"], 20),  # 4 things in view, 5 looks at each
+    (["call look;", "call look;", "call look;"], 12),  # 4 things in view, 3 looks at each
+    (["i = i;", "}", "for (i=0; i<100; i=i+1) {", LOOK_AT_IT], 100),  # beside the walk
+])  # fmt: skip
+def test_what_a_turn_of_a_walk_does_more_than_once_counts_as_often(body: list[str], most: int) -> None:
+    script = walk(*body)
+    script[-1:] = [f"look: {LOOK_AT_IT}", "return;", "end"]
+    script.insert(1, "int i local")
+    by_verb = {h.site.verb.name: h for h in guarded(3, *script)}
+    assert by_verb["haslos"].per_run == {"pulse": most}
+    assert by_verb["haslos"].calls_per_second == pytest.approx(2 * most)
+
+
+def test_a_walk_through_a_list_that_another_handler_began_may_take_all_of_it() -> None:
+    script = ["symbols", "message activated", "message pulse", "message startup", "thing turret", "thing victim local",
+              "end", "code", "startup: SetPulse(0.5); return;",
+              "activated: FirstThingInView(turret, 90, 10, 0x4); return;",
+              f"pulse: victim = turret; while (victim != -1) {{ {LOOK_AT_IT} victim = NextThingInView(); }} return;",
+              "end"]  # fmt: skip
+    by_verb = {h.site.verb.name: h for h in guarded(3, *script)}
+    assert by_verb["haslos"].per_run == {"pulse": 32}
 
 
 def test_a_bound_takes_it_that_other_scripts_may_start_the_list_anew() -> None:

@@ -176,11 +176,29 @@ def test_of_a_thing_the_file_lists_what_takes_a_body_off_it_or_drops_it(
     assert len(set(held.corner[first & (held.onto != 2)].tolist())) == 3
 
 
-def test_a_box_in_a_pit_lets_out() -> None:
-    with with_box(".5 1.5 -.475 0 0 0") as level:
+@pytest.mark.parametrize(("top", "ways"), [
+    (-0.35, Way(0)),  # 0.35 JKU below the rim
+    (-0.33, Way.JUMP), (-0.27, Way.JUMP),
+    (-0.25, Way(0)),  # 0.35 above the floor
+])  # fmt: skip
+def test_a_box_in_a_pit_lets_out_whom_a_jump_takes_onto_it_and_on_to_the_rim(top: float, ways: Way) -> None:
+    """The floor is at -0.6, a jump takes up 0.336 JKU. Where it does not help, it hides the basin no more."""
+    with with_box(f".5 1.5 {top - 0.125} 0 0 0") as level:
         facts = LevelFacts(level)
         (basin,) = facts.basins(facts.bodies[0])
-    assert not basin.is_inescapable
+    assert (basin.left, basin.is_inescapable) == (ways, not ways)
+    assert (basin.shallowest, basin.deepest) == pytest.approx((0.6, 0.6))
+
+
+def test_a_table_is_no_rim() -> None:
+    """Nobody gets onto it, so nobody falls from it: a room is no basin for that."""
+    player = "walkplayer none type=player move=physics size=.065 height=.12 physflags=0x4a4f jumpspeed=1.5"
+    table = ["World templates 4", player, KIND, "World things 3", "2: lift crate .5 1.5 .475 0 0 0 1"]
+    with level_with_files(*table, "== 3do/box.3do", *box(*FLAT)) as level:
+        facts = LevelFacts(level)
+        (walker,) = (each for each in facts.bodies if each.hovers)
+        assert (facts.ledges(walker).carrier_thing >= 0).any()
+        assert facts.basins(walker) == ()
 
 
 @pytest.mark.parametrize(("top", "helps"), [(-0.55, True), (-0.3, True), (-0.2, False)])

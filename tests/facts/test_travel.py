@@ -61,6 +61,8 @@ def test_each_side_of_an_adjoin_has_its_own_way(there: str, back: str, sectors: 
     ("TeleportThing(GetSourceRef(), b)", [0, 1]),
     ("TeleportThing(a, GetLocalPlayerThing())", [0]),
     ("TeleportThing(a, FirstThingInSector(c))", None),
+    ("e = FirstThingInSector(c); TeleportThing(b, e)", [0]),
+    ("e = FirstThingInSector(c); TeleportThing(a, e)", None),
     ("JumpToFrame(b, 0, c)", [0, 1]),
     ("JumpToFrame(b, 0, 1)", [0, 1]),
     ("JumpToFrame(b, 0, Rand() * 2)", [0, 1]),  # the line holds sector 1

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -9,6 +12,7 @@ from fixtures.rooms import Level as Builder
 from jktools.engine.profile import Engine
 from jktools.facts import LevelFacts
 from jktools.facts.basins import Entry, Way
+from jktools.facts.ledges import Kind
 from jktools.linter import find_rule, lint
 from jktools.model import Level
 from tests.support.levels import level_of, two_rooms
@@ -123,3 +127,96 @@ def test_a_gap_that_no_body_fits_in_is_no_basin(engine: Engine, gap: float, basi
     builder.templates.append(PLAYER)
     facts = LevelFacts(level_of(builder.text()))
     assert len(facts.basins(facts.bodies[0], engine)) == basins
+
+
+WALKS = PLAYER + " maxthrust=2 surfdrag=3"
+
+
+@pytest.mark.parametrize(("off", "told"), [(-1e-3, 0), (1e-3, 1)])
+def test_what_is_higher_than_the_lip_that_is_climbed_needs_a_jump(off: float, told: int) -> None:
+    """Two floors in one hall, one higher than the other by as much as the simulated body climbs, and a little."""
+
+    def hall(rise: float) -> Level:
+        builder = Builder("step")
+        builder.room((0, 0, 0), (2, 2, 4))
+        builder.room((0, 2, rise), (2, 4, 4))
+        builder.window(0, 1, (0, 2, rise), (2, 2, 4))
+        builder.templates.append(WALKS)
+        return level_of(builder.text())
+
+    (walker,) = [each for each in LevelFacts(hall(1)).bodies if each.body.maxthrust]
+    lip = walker.lip(Engine.RESEARCH)
+    assert walker.clearance(Engine.RESEARCH) < lip + off < walker.hover(Engine.RESEARCH)
+    found = lint(hall(round(lip + off, 6)), [find_rule("JK704")])
+    assert len(found) == told
+    assert all(f"walkplayer surely walks up no more than {lip:.4g} JKU" in each.message for each in found)
+
+
+@pytest.mark.parametrize(("gravity", "basins"), [("4", 1), ("0", 0), ("-1", 0)])
+def test_no_basin_holds_what_floats(gravity: str, basins: int) -> None:
+    facts = LevelFacts(level_of(two_rooms(*PIT).replace("World Gravity 4", f"World Gravity {gravity}")))
+    (walker,) = facts.bodies
+    assert walker.gravity == float(gravity)
+    assert len(facts.basins(walker)) == basins
+    assert len(lint(facts.level, [find_rule("JK701")])) == basins
+    kinds = {Kind(kind) for kind in facts.ledges(walker).kind.tolist()}
+    assert (kinds <= {Kind.LEVEL, Kind.SEAMLESS, Kind.STEP, Kind.LIP, Kind.UNKNOWN}) is (basins == 0)
+
+
+@pytest.mark.parametrize(("gravity", "airdrag", "apex"), [
+    (-1.0, 0.5, np.inf), (0.0, 0.0, np.inf), (0.0, 0.5, 1.5 / 0.5), (1e-9, 0.5, 1.5 / 0.5), (4.0, 0.0, 1.5**2 / 8),
+])  # fmt: skip
+def test_how_high_a_jump_goes_where_little_takes_it_down(gravity: float, airdrag: float, apex: float) -> None:
+    (walker,) = LevelFacts(pit()).bodies
+    body = replace(walker.body, airdrag=airdrag)
+    assert replace(walker, gravity=gravity, body=body).apex() == pytest.approx(apex, rel=1e-6)
+    assert replace(walker, gravity=gravity, body=replace(body, jumpspeed=0.0)).apex() == 0
+
+
+def trench(*sections: tuple[float, float, float], high: float = 4) -> Level:
+    """Rooms side by side along y, each 4 JKU wide from y to y with its floor at z, open to each other above both."""
+    builder = Builder("trench")
+    for start, end, z in sections:
+        builder.room((0, start, z), (4, end, high))
+    for index, ((_, end, z), (_, _, after)) in enumerate(pairwise(sections)):
+        builder.window(index, index + 1, (0, end, max(z, after)), (4, end, high))
+    builder.templates.append(WALKS)
+    return level_of(builder.text())
+
+
+def basins(level: Level) -> list[tuple[tuple[int, ...], Way]]:
+    facts = LevelFacts(level)
+    z = {i: float(level.surfaces[i].positions[0, 2]) for i in range(len(level.surfaces))}
+    return [(tuple(round(z[i], 3) for i in b.surfaces), b.left) for b in facts.basins(facts.bodies[0])]  # type: ignore[misc]
+
+
+def test_a_slot_that_no_body_fits_in_hides_no_basin() -> None:
+    """The player is 0.13 JKU wide; the slot cuts the pit's floor in two, which are one basin still."""
+    assert basins(trench((0, 2, 0), (2, 3, -1), (3, 3.1, -3), (3.1, 4, -1))) == [((-1, -1), Way(0))]
+    # Beyond the slot lies what lets out: a step, from which a way leads down, and a lip.
+    for rise, way in ((0.05, []), (0.07, [((-1.0,), Way.WALK)])):
+        found = basins(trench((0, 2, 0), (2, 3, -1), (3, 3.1, -3), (3.1, 4, -1 + rise), (4, 5, -2)))
+        assert [each for each in found if each[0][0] != -2] == way
+    # A body fits into a wider one, and is caught there.
+    assert basins(trench((0, 2, 0), (2, 3, -1), (3, 3.2, -2), (3.2, 4, -1))) == [((-2.0,), Way(0))]
+
+
+@pytest.mark.parametrize(("length", "told"), [(5.9, 1), (6.1, 0)])
+def test_what_holds_most_of_the_floor_is_where_the_level_goes_on(length: float, told: int) -> None:
+    level = trench((0, 2, 0), (2, 2 + length, -1))
+    facts = LevelFacts(level)
+    (basin,) = facts.basins(facts.bodies[0])
+    assert basin.share == pytest.approx(length / (2 + length))
+    assert basin.is_inescapable
+    assert len(lint(level, [find_rule("JK701")])) == told
+
+
+def test_a_slot_without_a_floor_hides_no_basin_either() -> None:
+    builder = Builder("slot")
+    for start, end, z, flags in ((0.0, 2.0, 0, 5), (2.0, 3.0, -1, 5), (3.0, 3.1, -3, 4), (3.1, 4.0, -1, 5)):
+        builder.room((0, start, z), (4, end, 4), floor_flags=flags)
+    builder.window(0, 1, (0, 2, 0), (4, 2, 4))
+    builder.window(1, 2, (0, 3, -1), (4, 3, 4))
+    builder.window(2, 3, (0, 3.1, -1), (4, 3.1, 4))
+    builder.templates.append(WALKS)
+    assert basins(level_of(builder.text())) == [((-1, -1), Way(0))]

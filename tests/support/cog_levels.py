@@ -14,6 +14,7 @@ int i local
 int k local
 thing seen local
 thing kept local
+int count=3 local
 """
 TIMES = ["0.001", "0.03", "0.1", "0.5", "0.7", "1.0", "3.0", "rate", "0", "-1", "Rand()"]
 THINGS = ["a", "b", "GetSenderRef()", "GetLocalPlayerThing()", "seen", "kept", "a[1]", "10", "GetSourceRef()"]
@@ -74,9 +75,17 @@ class LevelWriter:
             return self.random.choice([
                 f"SetPulse({self.time()});", f"SetThingPulse({target}, {self.time()});", f"SetTimer({self.time()});",
                 f"SetTimerEx({self.time()}, 1, 2, 3);", f"SetThingTimer({target}, {self.time()});",
-                f"CaptureThing(b); SetThingPulse(b, {self.time()});",
+                f"CaptureThing(b); SetThingPulse(b, {self.time()});", f"count = 4; SetPulse({self.time()});",
+                f"SetThingPulse({target}, {self.time()}); count = 2;",
             ])  # fmt: skip
-        if label == "pulse" and roll < 0.4:
+        if label == "pulse" and roll < 0.15:
+            return self.random.choice([
+                "count = count - 1; if (!count) SetPulse(0);", "if (count > 0) count = count - 1; else SetPulse(0);",
+                "count = count - 1; if (count <= 0) { SetPulse(0); count = 3; }",
+                "count = count - 1; if (count <= 0) { SetThingPulse(GetSenderRef(), 0); count = 2; }",
+                "count = count + 1; if (count > 6) { SetPulse(0); count = 1; }",
+            ])  # fmt: skip
+        if label == "pulse" and roll < 0.5:
             return self.random.choice([
                 "SetPulse(0);", "SetThingPulse(GetSenderRef(), 0);", "kept = GetSenderRef(); SetThingPulse(kept, 0);",
                 "if (Rand() < 0.5) SetPulse(0);", "Sleep(0.25); SetPulse(0);",

@@ -277,7 +277,13 @@ def test_moves_as_over_any_treads(rises: list[tuple[int, int]], actions: list[st
     assert_same(*both(steps, f"{script}4 end", engine, fps, -0.5))
 
 
-@pytest.mark.xfail(strict=True, reason="open: a body that lands on a step's edge stays 5e-6 JKU too high")
+def test_the_level_of_treads_has_their_heights_to_the_last_bit() -> None:
+    steps = rounded((-1, 0), (0, -77 / 64), (1, -12.046875), (2, 1 / 3))
+    floors = terraces(steps.treads).vertices[:, 2]
+    assert {float(np.float32(round(tread.height, 6))) for tread in steps.treads} <= set(floors.tolist())
+    assert -77 / 64 in floors.tolist() and -12.046875 in floors.tolist()
+
+
 def test_moves_as_over_a_flight_that_ends_in_a_rise() -> None:
     """Four treads of 1/8 JKU, each 20/64 below the last, then one 3/64 up, at 10 frames a second."""
     heights = (-20, -40, -60, -80, -77)

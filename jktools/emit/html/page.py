@@ -55,7 +55,10 @@ def level_page(page: LevelPage) -> str:
     drawn = picture(page.level) if page.level is not None else None
     positions = {thing["index"]: thing["position"] for thing in drawn["things"]} if drawn else {}
     rows = [_row(page, diagnostic, positions) for diagnostic in page.findings]
-    data = None if drawn is None else _embedded({**drawn, "findings": [row for row in rows if row["place"]]})
+    placed = [row for row in rows if row["place"]]
+    for number, row in enumerate(placed):
+        row["number"] = number
+    data = None if drawn is None else _embedded({**drawn, "findings": placed})
     return (
         _templates()
         .get_template("level.html")

@@ -103,7 +103,8 @@
   // ---- what is chosen
 
   const state = {
-    view: "plan", centre: add(low, sub(high, low), 0.5), reach: extent * 0.55, yaw: 0.6, pitch: 0.9,
+    view: "plan", centre: add(low, sub(high, low), 0.5), yaw: 0.6, pitch: 0.9,
+    reach: extent * 0.55 * Math.max(1, canvas.clientHeight / Math.max(1, canvas.clientWidth)),
     colour: "light", body: level.bodies.length ? 0 : -1, outlines: true, things: false, marks: true, seen: false,
     cut: Infinity, surface: -1, sector: -1, mark: null,
   };
@@ -350,7 +351,7 @@
     if (finding.kind === "surface") choose(finding.index, level.surface_sector[finding.index], finding.place);
     else choose(-1, finding.kind === "sector" ? finding.index : -1, finding.place);
     for (const row of document.querySelectorAll("#findings .placed")) {
-      const its = row.dataset.place === finding.place.join(" ") && row.querySelector("p").textContent === finding.message;
+      const its = level.findings[row.dataset.finding] === finding;
       row.classList.toggle("chosen", its);
       if (its) row.scrollIntoView({ block: "nearest" });
     }
@@ -434,8 +435,7 @@
     }
   };
   onChoice("#findings .placed", (item) => {
-    const message = item.querySelector("p").textContent;
-    const finding = level.findings.find((f) => f.place.join(" ") === item.dataset.place && f.message === message);
+    const finding = level.findings[item.dataset.finding];
     goTo(finding.place);
     show(finding);
   });

@@ -44,6 +44,10 @@ class Analysis:
         """The number that a symbol holds before any code runs; None where that is not known."""
         return self._starts[slot.index].number
 
+    def start_range(self, slot: int) -> Range:
+        """What the symbol of an index can hold before any code runs."""
+        return self._starts[slot]
+
     @cached_property
     def _starts(self) -> list[Range]:
         return initial_ranges(self.program, self.bound)

@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from jktools.facts.cog.counting import CountingLoops
+from jktools.facts.cog.counting import MOST_SEEN, CountingLoops
 from jktools.facts.cog.dataflow import Known
 from jktools.facts.cog.loops import Effort, components
 from jktools.facts.cog.lowering import Flow
@@ -35,17 +35,18 @@ class Counter:
 
     def __init__(
         self, program: Program, flow: Flow, reach: Reach, known: Known, *, frames: float = FRAMES_PER_SECOND,
-        undisturbed: bool = False,
+        undisturbed: bool = False, most_seen: int = MOST_SEEN,
     ) -> None:  # fmt: skip
         """Count nothing yet; `frames` are the game's a second.
 
         `undisturbed` takes it that no handler which a verb runs in between starts the list of things in view anew, or
         sets a counter back: the counts are then what is meant, and no longer bounds whatever other scripts do.
+        `most_seen` is how many things FirstThingInView can find.
         """
         self.flow = flow
         self.reach = reach
         self.known = known
-        self.counting = CountingLoops(program, flow, reach, known, undisturbed=undisturbed)
+        self.counting = CountingLoops(program, flow, reach, known, undisturbed=undisturbed, most_seen=most_seen)
         self._effort = Effort()
         self._sleeping = SleepingLoops(flow, reach, known, 1.0 / frames, self._effort)
         self._within: dict[tuple[int, int], Mapping[int, Repeats]] = {}

@@ -12,7 +12,7 @@ from jktools.facts.cog.lowering import Flow, Op
 from jktools.facts.cog.reach import Reach
 from jktools.facts.cog.stack import is_plain
 from jktools.model.cog.program import Program
-from jktools.syntax.cog.nodes import Assign, Binary, Call, Expression, Name
+from jktools.syntax.cog.nodes import Assign, Binary, Call, Expression, Name, Unary
 
 MOST_TESTS = 8
 """Ways out of a loop that are looked at for one that counts."""
@@ -26,10 +26,12 @@ NO_THING = ranges.Range(ranges.INT, -1, -1)
 class CountingLoops:
     """Of one script."""
 
-    def __init__(self, program: Program, flow: Flow, reach: Reach, known: Known, *, undisturbed: bool) -> None:
-        """`undisturbed` is told at `Counter`."""
+    def __init__(
+        self, program: Program, flow: Flow, reach: Reach, known: Known, *, undisturbed: bool, most_seen: int
+    ) -> None:
+        """`undisturbed` and `most_seen` are told at `Counter`."""
         self.program, self.flow, self.reach, self.known = program, flow, reach, known
-        self.undisturbed = undisturbed
+        self.undisturbed, self.most_seen = undisturbed, most_seen
         self.stores = self._stores(Op.STORE)
         self.arrays = [each for stores in self._stores(Op.STORE_AT).values() for each in stores]
 
@@ -56,31 +58,30 @@ class CountingLoops:
             i for i in sorted(part)
             if self.flow.blocks[i].tests and any(s not in part for s in self.flow.blocks[i].successors)
         ]  # fmt: skip
-        counting = [i for i in testing if isinstance(self.flow.blocks[i].condition, Binary)][:MOST_TESTS]
+        counting = [i for i in testing if isinstance(self.flow.blocks[i].condition, (Binary, Unary))][:MOST_TESTS]
         found = [(self._turns_by(i, header, part), i) for i in counting]
         proven = [each for each in found if each[0] < math.inf and self._every_turn(each[1], header, part)]
         return min(proven, default=(math.inf, -1))
 
     def _turns_by(self, testing: int, header: int, part: frozenset[int]) -> float:
         block = self.flow.blocks[testing]
-        stays = block.successors[0] in part
-        condition = block.condition
-        if not isinstance(condition, Binary) or condition not in self.known.operands:
+        if block.condition is None or not is_plain(self.program, block.condition):
             return math.inf
-        if not is_plain(self.program, condition):
-            return math.inf
-        left, right = self.known.operands[condition]
-        sides: list[tuple[Expression, str, ranges.Range, ranges.Range]] = [
-            (condition.left, condition.op, left, right),
-            (condition.right, ranges.MIRROR.get(condition.op, ""), right, left),
-        ]
         best = math.inf
-        for variable, operator, own, limit in sides:
-            if isinstance(variable, Name) and operator in ranges.INVERSE:
-                going = operator if stays else ranges.INVERSE[operator]
-                best = min(best, self._walked(variable, going, limit, header, part))
-                if going in ("<", "<=", ">", ">="):
-                    best = min(best, self._counted(variable, going, own, limit, header, part))
+        for compared, stays in _must_hold(block.condition, stays=block.successors[0] in part):
+            if compared not in self.known.operands:
+                continue
+            left, right = self.known.operands[compared]
+            sides: list[tuple[Expression, str, ranges.Range, ranges.Range]] = [
+                (compared.left, compared.op, left, right),
+                (compared.right, ranges.MIRROR.get(compared.op, ""), right, left),
+            ]
+            for variable, operator, own, limit in sides:
+                if isinstance(variable, Name) and operator in ranges.INVERSE:
+                    going = operator if stays else ranges.INVERSE[operator]
+                    best = min(best, self._walked(variable, going, limit, header, part))
+                    if going in ("<", "<=", ">", ">="):
+                        best = min(best, self._counted(variable, going, own, limit, header, part))
         return best
 
     def _counted(
@@ -120,7 +121,7 @@ class CountingLoops:
         return max(0.0, turns)
 
     def _walked(self, variable: Name, going: str, limit: ranges.Range, header: int, part: frozenset[int]) -> float:
-        """The most turns of a loop over what FirstThingInView found: the engine keeps 32 things, then says none."""
+        """The most turns of a loop over what FirstThingInView found: the engine keeps so many, then says none."""
         slot = self.program.slot_of.get(variable.name)
         if slot is None or ranges.truth(ranges.binary(going, NO_THING, limit)) is not False:
             return math.inf
@@ -135,8 +136,8 @@ class CountingLoops:
             for i in part | called for op, arg, _ in self.flow.blocks[i].code
         )  # fmt: skip
         if self.undisturbed:
-            return math.inf if anew or any(index in called for index, _ in stores) else MOST_SEEN
-        return math.inf if anew or self._others_store(part, stores) else MOST_SEEN
+            return math.inf if anew or any(index in called for index, _ in stores) else self.most_seen
+        return math.inf if anew or self._others_store(part, stores) else self.most_seen
 
     def _is_call(self, value: Expression, names: frozenset[str]) -> bool:
         verb = self.program.verb_of(value) if isinstance(value, Call) else None
@@ -180,3 +181,21 @@ class CountingLoops:
         if index != header and any(header in p for p in components(self.flow.blocks, without)):
             return False
         return not any(index in p for p in components(self.flow.blocks, part, cut=header)) or index == header
+
+
+def _must_hold(condition: Expression, *, stays: bool) -> list[tuple[Binary, bool]]:
+    """The comparisons that have to come out so for a loop to go on, as both do of `i < 5 && found == 0`.
+
+    `stays` is what the whole condition has to be.
+    """
+    found: list[tuple[Binary, bool]] = []
+    pending = [(condition, stays)]
+    while pending:
+        at, wanted = pending.pop()
+        if isinstance(at, Unary) and at.op == "!":
+            pending.append((at.operand, not wanted))
+        elif isinstance(at, Binary) and at.op == ("&&" if wanted else "||"):
+            pending += ((at.left, wanted), (at.right, wanted))
+        elif isinstance(at, Binary):
+            found.append((at, wanted))
+    return found

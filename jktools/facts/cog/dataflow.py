@@ -132,6 +132,24 @@ def analyse(program: Program, flow: Flow, reachable: Sequence[int], bound: Mappi
     return known
 
 
+def state_behind(known: Known, code: Sequence[Instruction], state: State) -> State:
+    """What is known behind operations that begin with a state, if nothing else runs in between."""
+    found = dict(state)
+    _run(code, found, known.invariant, Known(known.invariant), frozenset())
+    return found
+
+
+def ways_out(program: Program, flow: Flow, known: Known, block: Block, state: State) -> list[tuple[int, State]]:
+    """Where a block leads that begins with a state, and what is then known, if nothing else runs in between.
+
+    A `call` at its end is taken to change nothing.
+    """
+    alone = _Sharpening(program, flow, Known(known.invariant), frozenset())
+    alone.entry[block.index] = state
+    ways = alone.leave(block)
+    return ways[1:] if block.callee >= 0 else ways
+
+
 def _invariants(known: Known, storing: _Storing) -> None:
     invariant = known.invariant
     rounds = MOST_ROUNDS if storing.arrays * len(invariant) < MOST_ARRAY_STORES else 0

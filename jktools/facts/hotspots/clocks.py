@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from jktools.facts.cog import ranges
 from jktools.facts.cog.analysis import Analysis
 from jktools.facts.cog.lowering import Block, Op
@@ -24,24 +22,24 @@ def turns_off(site: Site) -> bool:
     return most <= 0 if site.verb.name == "setpulse" else least == most == 0
 
 
-def turns_off_own_pulse(analysis: Analysis, label: str) -> bool:
-    """Whether each run of a handler turns the script's pulse off, and leaves it so."""
-    return _each_run(analysis, label, "setpulse", lambda _: True)
+def calls_off(analysis: Analysis, label: str, thing: int | None = None) -> frozenset[Call]:
+    """The calls in a handler that turn the pulse off which runs it; none where the handler may also set it.
 
-
-def turns_off_pulse_of_sender(analysis: Analysis, label: str, thing: int | None) -> bool:
-    """Whether each run of a handler turns the pulse of the thing that sent it off, and leaves it so.
-
-    `thing` is that thing where only one can be, None for any.
+    That is the script's own pulse, or with `thing` that of the thing with this number, which sent it.
     """
+    verb = "setpulse" if thing is None else "setthingpulse"
+    inside = frozenset(analysis.reach.blocks_from([analysis.flow.label_block[label]]))
+    sites = [site for site in analysis.rates.sites if site.verb.name == verb and site.block in inside]
+    if any(not turns_off(site) for site in sites):
+        return frozenset()
+    return frozenset(site.call for site in sites if thing is None or _is_of_sender(analysis, label, site, thing))
 
-    def is_sender(site: Site) -> bool:
-        if thing is not None and site.arguments[0].number == thing:
-            return True
-        given = written(analysis.program, site.call)[0]
-        return given is not None and _is_sender(analysis, label, given, site.call.start)
 
-    return _each_run(analysis, label, "setthingpulse", is_sender)
+def _is_of_sender(analysis: Analysis, label: str, site: Site, thing: int) -> bool:
+    if site.arguments[0].number == thing:
+        return True
+    given = written(analysis.program, site.call)[0]
+    return given is not None and _is_sender(analysis, label, given, site.call.start)
 
 
 def _is_sender(analysis: Analysis, label: str, given: Expression, before: int) -> bool:
@@ -61,24 +59,18 @@ def _is_sender(analysis: Analysis, label: str, given: Expression, before: int) -
     return verb is not None and verb.name == SENDER
 
 
-def _each_run(analysis: Analysis, label: str, verb: str, is_ours: Callable[[Site], bool]) -> bool:
-    """Whether no way through a handler ends, waits or lets other code run before such a call.
+def turns_off_in_each_run(analysis: Analysis, label: str, off: frozenset[Call]) -> bool:
+    """Whether no way through a handler ends, waits or lets other code run before it turns its pulse off.
 
-    And whether none sets the pulse in the same run. What the handler calls counts only where it is harmless: a `call`
-    too deep in others is passed over.
+    What the handler calls counts only where it is harmless: a `call` too deep in others is passed over.
     """
-    reach, flow = analysis.reach, analysis.flow
+    flow = analysis.flow
     start = flow.label_block[label]
-    inside = set(reach.blocks_from([start]))
-    sites = [site for site in analysis.rates.sites if site.verb.name == verb and site.block in inside]
-    if any(not turns_off(site) for site in sites):
-        return False
-    off = {site.call for site in sites if is_ours(site)}
     pending, seen = [start], {start}
     while pending:
         block = flow.blocks[pending.pop()]
         outcome = _passes(block, off)
-        if outcome is None and block.callee >= 0 and _may_wait(analysis, block.callee):
+        if outcome is None and block.callee >= 0 and may_wait(analysis, block.callee):
             return False
         if outcome is False or (outcome is None and block.returns):
             return False
@@ -89,24 +81,26 @@ def _each_run(analysis: Analysis, label: str, verb: str, is_ours: Callable[[Site
     return bool(off)
 
 
-def _passes(block: Block, off: set[Call]) -> bool | None:
+def _passes(block: Block, off: frozenset[Call]) -> bool | None:
     """True where a block turns the pulse off, False where something else can run before that, None for neither."""
     for op, arg, node in block.code:
         if op is Op.CALL:
             if node in off:
                 return True
-            if _lets_run(arg):
+            if lets_run(arg):
                 return False
     return None
 
 
-def _may_wait(analysis: Analysis, entry: int) -> bool:
+def may_wait(analysis: Analysis, entry: int) -> bool:
+    """Whether other code can run before a label that is called is through."""
     return any(
-        op is Op.CALL and _lets_run(arg)
+        op is Op.CALL and lets_run(arg)
         for index in analysis.reach.blocks_from([entry])
         for op, arg, _ in analysis.flow.blocks[index].code
     )
 
 
-def _lets_run(verb: Verb) -> bool:
+def lets_run(verb: Verb) -> bool:
+    """Whether other code can run before the script goes on behind a verb."""
     return verb.sleeps or verb.delivers

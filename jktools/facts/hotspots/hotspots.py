@@ -8,7 +8,7 @@ such: how often the player causes a message, how many things play creates.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeVar
 
@@ -85,7 +85,7 @@ class Hotspot:
             return verb[self.verdict]
         told = sorted(self.verdicts.items(), key=lambda each: each[1] is Verdict.VARIES)
         known = [f"{verb[verdict]} by {engine}" for engine, verdict in told]
-        return ", but ".join(known) if told[0][1] is not Verdict.VARIES else None
+        return " and ".join(known) if told[0][1] is not Verdict.VARIES else None
 
     @property
     def surfaces_per_second(self) -> float:
@@ -126,16 +126,21 @@ class Scene:
         runners: Sequence[Runner],
         work: SightWork,
         verdicts: Verdicts,
+        comes_to: Callable[[Iterable[Thing]], Iterable[int]],
         created: frozenset[str] = frozenset(),
         frames: float = FRAMES_PER_SECOND,
     ) -> None:
-        """`frames` are the game's a second, which no pulse outruns; `created` the templates that play creates."""
+        """`frames` are the game's a second, which no pulse outruns; `created` the templates that play creates.
+
+        `comes_to` tells the sectors that bodies come to.
+        """
+        self.comes_to = comes_to
         self.level, self.runners, self.work, self.verdicts = level, tuple(runners), work, verdicts
-        self.paces = Paces(runners, frames)
         self.created = [r.type for name in sorted(created) if (r := level.resolved_templates.get(name)) is not None]
         self.placed = [t for t in level.things if t.dropped is None and np.isfinite(t.position).all()]
         self.by_number = {thing.number: thing for thing in self.placed}
         self._roaming: dict[frozenset[int], list[Place]] = {}
+        self.paces = Paces(runners, frames, self._most_seen)
 
     def hotspots(self) -> list[Hotspot]:
         """All of them, the dearest first."""
@@ -150,8 +155,8 @@ class Scene:
     def _hotspot(self, runner: Runner, site: Site) -> Hotspot:
         paces = self.paces
         labels = paces.labels(runner, site)
-        per_run = {label: self._per_run(runner, site, label) for label in labels}
-        calls = [paces.calls(runner, label, site, per_run[label]) for label in labels]
+        per_run = {label: paces.passes(runner, label, site).per_run for label in labels}
+        calls = [paces.calls(runner, label, site) for label in labels]
         lasting = math.inf if any(math.isinf(c.once) for c in calls) else math.fsum(c.rate for c in calls)
         cost, verdicts = self._flood(runner, site) if site.verb.sight == "flood" else self._rays(runner, site)
         return Hotspot(
@@ -172,25 +177,22 @@ class Scene:
         found = dict.fromkeys(node for label in labels for node in self.paces.causes(runner, label))
         return tuple(n.label if n.runner is runner else f"{n.label} of {n.runner.title}" for n in found)
 
-    def _per_run(self, runner: Runner, site: Site, label: str) -> float:
-        """Calls in one run; a loop over the things in view turns no more often than there are such things."""
-        count = self.paces.passes(runner, label, site).per_run
-        kinds = {end.kind for argument in range(2) for end in ends(runner, site, argument)}
-        if math.isinf(count) or site.verb.sight != "ray" or "seen" not in kinds or not self._in_walk(runner):
-            return count
-        floods = (s for s in runner.analysis.rates.sites if s.verb.name in FLOODS)
-        first = sum(self.paces.passes(runner, label, flood).per_run for flood in floods)
-        return min(count, max(first, 1.0) * min(MOST_SEEN, max(self._seen(runner), 1)))
+    def _most_seen(self, runner: Runner) -> int:
+        """How many things a walk through the things in view can come to: those of the types that the script looks for.
 
-    def _in_walk(self, runner: Runner) -> bool:
-        return any(site.verb.name in NEXT for site in runner.analysis.rates.sites)
-
-    def _seen(self, runner: Runner) -> int:
-        """The things in the level of the types that a script looks for."""
+        One at least: a walk may start with a thing that it has from elsewhere. A handler that begins no list of its own
+        walks through whatever another has left.
+        """
+        rates = runner.analysis.rates
+        begins, goes_on = (
+            {label for site in rates.sites if site.verb.name in names for label in rates.senders_of(site)}
+            for names in (FLOODS, NEXT)
+        )
         mask = seen_mask(runner)
-        if any(mask >> TYPES.index(created) & 1 for created in self.created):
+        if not goes_on <= begins or any(mask >> TYPES.index(created) & 1 for created in self.created):
             return MOST_SEEN
-        return sum(1 for thing in self.placed if mask >> TYPES.index(thing.resolved.type) & 1)
+        found = sum(1 for thing in self.placed if mask >> TYPES.index(thing.resolved.type) & 1)
+        return min(max(found, 1), MOST_SEEN)
 
     # ---- cost and verdict
 
@@ -219,17 +221,19 @@ class Scene:
             mask = end.mask if end.kind == "seen" else ANY_TYPE
             things = [thing for thing in self.placed if mask >> TYPES.index(thing.resolved.type) & 1]
         stay = [_place(thing) for thing in things if not _roams(thing) and np.isfinite(thing.position).all()]
-        return stay + self._roam(frozenset(thing.sector_index for thing in things if _roams(thing)))
+        return stay + self._roam([thing for thing in things if _roams(thing)])
 
-    def _roam(self, sectors: frozenset[int]) -> list[Place]:
-        if sectors not in self._roaming:
+    def _roam(self, bodies: Sequence[Thing]) -> list[Place]:
+        """The middle of every sector that bodies come to; nothing without a body."""
+        numbers = frozenset(body.number for body in bodies)
+        if numbers not in self._roaming:
             centres = self.work.centres
-            self._roaming[sectors] = [
+            self._roaming[numbers] = [
                 Place(i, (float(centres[i, 0]), float(centres[i, 1]), float(centres[i, 2])))
-                for i in self.work.reached_from(sectors)
+                for i in (self.comes_to(bodies) if bodies else ())
                 if np.isfinite(centres[i]).all()
             ]
-        return self._roaming[sectors]
+        return self._roaming[numbers]
 
 
 def _place(thing: Thing) -> Place:

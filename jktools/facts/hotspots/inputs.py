@@ -49,8 +49,8 @@ class Clock:
     set_by: list[Sending] = field(default_factory=list)
     armed: bool = False
     """Whether the script's flags set it from the start."""
-    once: bool = False
-    """Whether it comes once for each time that it is set."""
+    times: float = float("inf")
+    """How often it comes at most for each time that it is set."""
 
 
 @dataclass(slots=True)

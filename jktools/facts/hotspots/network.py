@@ -7,16 +7,15 @@ can reach every handler of that message, as can a pulse that it gives to a thing
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 
 from jktools.facts.cog import ranges
 from jktools.facts.cog.counter import Counter
-from jktools.facts.cog.counting import VIEWS
+from jktools.facts.cog.counting import MOST_SEEN, VIEWS
 from jktools.facts.cog.lowering import Op
 from jktools.facts.cog.rates import LEAST_DELAY, PULSE, TIMER, TRIGGER, Site
 from jktools.facts.cog.repeats import NEVER, Repeats
-from jktools.facts.hotspots.clocks import turns_off_own_pulse, turns_off_pulse_of_sender
 from jktools.facts.hotspots.inputs import (
     MESSAGES,
     OWN_CLOCKS,
@@ -28,6 +27,7 @@ from jktools.facts.hotspots.inputs import (
     handler_of,
     sites_of,
 )  # fmt: skip
+from jktools.facts.hotspots.lasting import times_of
 from jktools.facts.hotspots.runners import Runner
 from jktools.facts.hotspots.starts import startup_is_first
 from jktools.facts.hotspots.targets import Targets
@@ -44,8 +44,13 @@ ARMED = 0xC
 class Network:
     """Of all scripts of one level: what can run, and what causes it."""
 
-    def __init__(self, runners: Iterable[Runner], frames: float) -> None:
-        """Find what can run, and all ways between the handlers that can; `frames` are the game's a second."""
+    def __init__(
+        self, runners: Iterable[Runner], frames: float, most_seen: Callable[[Runner], int] = lambda _: MOST_SEEN
+    ) -> None:
+        """Find what can run, and all ways between the handlers that can; `frames` are the game's a second.
+
+        `most_seen` tells how many things FirstThingInView can find for a script.
+        """
         self.runners = tuple(runners)
         self.nodes = [Node(r, h.label) for r in self.runners for h in r.analysis.program.handlers]
         self._listeners: dict[int, list[Node]] = {}
@@ -57,10 +62,12 @@ class Network:
         self.clocks: dict[tuple[Runner | int, str], Clock] = {}
         self._start()
         self._close()
-        self.repeats = {runner: self._repeats(runner, frames) for runner in self.runners}
-        for clock in self.clocks.values():
-            clock.once = clock.kind == "timer" or (clock.kind == "pulse" and self._turned_off(clock))
+        self.frames, self.most_seen = frames, most_seen
+        self.repeats = {runner: self._repeats(runner) for runner in self.runners}
+        self._disturbed: dict[Runner, Mapping[str, Mapping[int, Repeats]]] = {}
         self._spread()
+        for clock in self.clocks.values():
+            clock.times = times_of(clock, self.inputs, self.passes)
 
     def passes(self, node: Node, site: Site) -> Repeats:
         """How often a handler's run comes to a call, if no other script looks for things in view meanwhile."""
@@ -159,12 +166,6 @@ class Network:
             if unsure or node.runner.captures or (to_come and node.runner is sender.runner):
                 self._reached(node).open = True
 
-    def _turned_off(self, clock: Clock) -> bool:
-        hearing = [node for node, inputs in self.inputs.items() if any(each is clock for each, _ in inputs.clocks)]
-        if isinstance(clock.owner, Runner):
-            return all(turns_off_own_pulse(node.runner.analysis, node.label) for node in hearing)
-        return all(turns_off_pulse_of_sender(node.runner.analysis, node.label, clock.owner) for node in hearing)
-
     # ---- messages
 
     def _message(self, sender: Node, site: Site) -> None:
@@ -242,7 +243,11 @@ class Network:
 
         That can begin the list of the things in view anew, which all scripts share, or set a counter back.
         """
-        if self.passes(node, site).per_run == node.runner.analysis.rates.repeats_of(node.label, site).per_run:
+        if node.runner not in self._disturbed:
+            counter = self._counter(node.runner, undisturbed=False)
+            self._disturbed[node.runner] = node.runner.analysis.rates.repeats_by(counter)
+        bound = self._disturbed[node.runner][node.label].get(site.block, NEVER)
+        if self.passes(node, site).per_run == bound.per_run:
             return False
         if any(other != node or not self._is_clocked(other) for other in self._looking):
             return True
@@ -254,11 +259,18 @@ class Network:
 
     # ---- what is counted of each script
 
-    def _repeats(self, runner: Runner, frames: float) -> Mapping[str, Mapping[int, Repeats]]:
+    def _counter(self, runner: Runner, *, undisturbed: bool) -> Counter:
         each = runner.analysis
-        counter = Counter(each.program, each.flow, each.reach, each.known, frames=frames, undisturbed=True)
-        found = each.rates.repeats_by(counter)
-        without = each.rates.repeats_by(counter, first=False)
+        return Counter(
+            each.program, each.flow, each.reach, each.known, frames=self.frames, undisturbed=undisturbed,
+            most_seen=self.most_seen(runner),
+        )  # fmt: skip
+
+    def _repeats(self, runner: Runner) -> Mapping[str, Mapping[int, Repeats]]:
+        rates = runner.analysis.rates
+        counter = self._counter(runner, undisturbed=True)
+        found = rates.repeats_by(counter)
+        without = rates.repeats_by(counter, first=False)
         return found if found == without or startup_is_first(runner, self.inputs) else without
 
     # ---- what verbs run in between

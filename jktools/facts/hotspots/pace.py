@@ -2,9 +2,10 @@
 
 A pulse comes once an interval and once a frame at most. A timer comes once for each time that it is set; one that what
 it runs sets again comes once an interval. A pulse that each run of its handler turns off comes once for each time that
-it is set. What comes from outside, as the player's `activated`, is counted once for each handler, and for each thing
-that carries a class COG: it counts for what it starts. Messages from script to script are followed to the COGs that
-they name. Where handlers send each other messages in a circle, nothing bounds them.
+it is set; one that counts itself down, as often as it counts. What comes from outside, as the player's `activated`, is
+counted once for each handler, and for each thing that carries a class COG: it counts for what it starts. Messages from
+script to script are followed to the COGs that they name. Where handlers send each other messages in a circle, nothing
+bounds them.
 
 The bounds hold as long as each handler that is not `open` gets no more from outside than is counted.
 """
@@ -17,6 +18,7 @@ from functools import cached_property
 from typing import NamedTuple, TypeVar
 
 from jktools.facts.cog import ranges
+from jktools.facts.cog.counting import MOST_SEEN
 from jktools.facts.cog.loops import endless_parts
 from jktools.facts.cog.lowering import Block
 from jktools.facts.cog.rates import Site, apart
@@ -69,11 +71,13 @@ _Vertex = Node | Wake | Clock
 class Paces:
     """Of all scripts of one level."""
 
-    def __init__(self, runners: Iterable[Runner], frames: float) -> None:
-        """`frames` are the game's a second."""
+    def __init__(
+        self, runners: Iterable[Runner], frames: float, most_seen: Callable[[Runner], int] = lambda _: MOST_SEEN
+    ) -> None:
+        """`frames` are the game's a second; `most_seen`: how many things FirstThingInView can find for a script."""
         self.runners = tuple(runners)
         self.frame = 1.0 / frames
-        self.network = Network(self.runners, frames)
+        self.network = Network(self.runners, frames, most_seen)
         self.bounds = _Solution(self.network, self.frame).run()
 
     def labels(self, runner: Runner, site: Site) -> list[str]:
@@ -88,12 +92,9 @@ class Paces:
         """How often a call happens in the runs of a handler."""
         return self.network.passes(Node(runner, label), site)
 
-    def calls(self, runner: Runner, label: str, site: Site, per_run: float | None = None) -> Bound:
-        """How often a handler comes to a call; `per_run` is the most in one run where more is known of that."""
-        passes = self.passes(runner, label, site)
-        if per_run is not None:
-            passes = passes._replace(per_run=per_run)
-        return _calls(self.bounds, self.network, Node(runner, label), site, passes)
+    def calls(self, runner: Runner, label: str, site: Site) -> Bound:
+        """How often a handler comes to a call."""
+        return _calls(self.bounds, self.network, Node(runner, label), site, self.passes(runner, label, site))
 
     def is_open(self, runner: Runner, label: str, site: Site) -> bool:
         """Whether a handler can come to a call more often than `calls` tells, by what is not known."""
@@ -122,7 +123,12 @@ class Paces:
         while pending:
             at = inputs[pending.pop()]
             before = [s.sender for s in at.messages]
-            before += [s.sender for clock, _ in at.clocks if clock.kind != "pulse" or clock.once for s in clock.set_by]
+            before += [
+                s.sender
+                for clock, _ in at.clocks
+                if clock.kind != "pulse" or clock.times < math.inf
+                for s in clock.set_by
+            ]
             fresh = [node for node in before if node not in found]
             found.update(dict.fromkeys(fresh))
             pending += fresh
@@ -246,7 +252,7 @@ class _Solution:
     def _is_counted(self, clock: Clock) -> bool:
         """Whether how often it is set has a say."""
         loose = any(self.network.is_loose(sending) for sending in clock.set_by)
-        return (clock.once or clock.kind == "each timer") and not loose
+        return (clock.times < math.inf or clock.kind == "each timer") and not loose
 
     def _most(self, clock: Clock) -> Bound:
         """What no setting of a clock outruns."""
@@ -259,7 +265,7 @@ class _Solution:
         start = Bound(1.0, 0.0) if clock.armed else NOTHING
         for sending in clock.set_by:
             start = start.plus(self._sent(sending))
-        return _least(start, self._most(clock))
+        return _least(start.times(clock.times) if clock.times < math.inf else start, self._most(clock))
 
     def _in_circle(self, clock: Clock, part: Sequence[_Vertex]) -> Bound:
         """Of a clock that what it runs sets again; with SetTimerEx once a run at most, each start goes on by itself."""

@@ -18,7 +18,6 @@ from jktools.model import Level
 
 MOST_FLOODED = 128
 """Sectors of one FirstThingInView (sithAI_GetThingsInView)."""
-ADJOIN_MOVEMENT = 0x2
 
 
 class Work(NamedTuple):
@@ -105,18 +104,3 @@ class SightWork:
                     mirror = int(adjoins.mirror[adjoin])
                     pending.append((behind, way + float(adjoins.distance[adjoin]) + float(adjoins.distance[mirror])))
         return Work(len(seen), tested, visible=True)
-
-    def reached_from(self, sectors: frozenset[int]) -> list[int]:
-        """The sectors that a body comes to from some, through adjoins that let it pass or that scripts can open."""
-        level = self.level
-        seen = {s for s in sectors if 0 <= s < len(level.sectors)}
-        pending = sorted(seen)
-        while pending:
-            for surface in level.sectors[pending.pop()].surfaces:
-                adjoin = surface.adjoin
-                behind = -1 if adjoin is None else int(level.adjoin_sector[surface.adjoin_index])
-                passes = adjoin is not None and (adjoin.flags & ADJOIN_MOVEMENT or surface.index in self.changeable)
-                if passes and behind >= 0 and behind not in seen:
-                    seen.add(behind)
-                    pending.append(behind)
-        return sorted(seen)

@@ -22,8 +22,9 @@ def sight_in_every_frame(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     player's frame rate. Eyes are slower: twice a second is enough for most of what a script does with the answer.
 
     Counted are pulses, timers that are set again, and loops that sleep, as long as they last: a pulse that each run of
-    its handler turns off is left out, one that is turned off on a condition is not. That a pulse is shorter than a
-    frame is a fault in itself (JK601, JK658): this rule says that sight is tested there.
+    its handler turns off is left out, and one that counts itself down to its end; one that is turned off on another
+    condition is not. That a pulse is shorter than a frame is a fault in itself (JK601, JK658): this rule says that
+    sight is tested there.
 
     ## Bad
         World templates 4

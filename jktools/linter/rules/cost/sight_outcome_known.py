@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from jktools.diagnostics import Severity
 from jktools.facts import LevelFacts
+from jktools.facts.hotspots import Verdict
 from jktools.linter.hotspots import ours, place_of, subject_of
 from jktools.linter.rule import Finding, rule
 from jktools.model import Level
@@ -63,7 +64,9 @@ def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
             yield Finding(
                 place_of(spot.runner),
                 f"{spot.runner.title} tests sight between things that stay in place, but the test {spot.finds}",
-                spot.help,
+                spot.help
+                if spot.verdict is not Verdict.VARIES
+                else "leave the test out if the level is for that engine alone",
                 subject_of(spot.runner),
                 (spot.runner.script.label(spot.site.call, "the call"),),
             )
