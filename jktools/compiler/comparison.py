@@ -117,7 +117,9 @@ def _between(pairs: list[tuple[int, int]], one: int, other: int) -> list[tuple[i
     ends = [(-1, -1), *sorted(pairs), (one, other)]
     for (a, b), (next_a, next_b) in pairwise(ends):
         if next_a - a == next_b - b:
-            found += [(a + k, b + k) for k in range(1, next_a - a) if b + k not in right]
+            between = [(a + k, b + k) for k in range(1, next_a - a) if b + k not in right]
+            found += between
+            right.update(row for _, row in between)  # where pairs cross, other gaps may hold these rows too
     return found
 
 

@@ -12,6 +12,9 @@ from jktools.compiler.comparison import Difference, FieldChange
 from jktools.emit.json import dump
 from jktools.emit.printable import printable
 
+NO_SURFACE = -1
+"""The number of an edge that is a thing's."""
+
 VERSION = 1
 """Of the shape of the JSON; grows when a reader would have to change."""
 
@@ -109,6 +112,8 @@ def _left(shown: Counter[tuple[str, str]]) -> Iterator[str]:
 def _lines(each: Difference) -> Iterator[str]:
     number = each.after if each.before is None else each.before
     what = LABELS.get(each.kind, each.kind) + ("" if number is None or not _is_numbered(each) else f" {number}")
+    if each.kind == "edge" and number == NO_SURFACE:
+        what = each.kind  # its name tells of which thing
     if each.after is not None and each.before is not None and each.after != each.before:
         what += f" (now {each.after})"
     name = f" ({printable(each.name)})" if each.name else ""
@@ -140,7 +145,8 @@ def _expanded(field: FieldChange) -> Iterator[str]:
     elif name == "lost":
         yield f"no longer sees {_list(before)}"
     elif name == "intervals":
-        yield f"{_intervals(before)} -> {_intervals(after)}"
+        was, now = _intervals(before), _intervals(after)
+        yield f"{was} -> {now}" if was != now else _inside_intervals(before, after)
     elif name == "position":
         yield f"position {_value(before)} -> {_value(after)}, {math.dist(before, after):.7g} JKU"
     elif isinstance(before, list) and isinstance(after, list) and len(before) == len(after) > 1:
@@ -165,6 +171,27 @@ def _intervals(value: Sequence[dict[str, Any]]) -> str:
         + ("" if math.isnan(each["drop"][0]) else f" ({each['drop'][0]:.4g} JKU)")
         for each in value
     )
+
+
+def _inside_intervals(before: Sequence[dict[str, Any]], after: Sequence[dict[str, Any]]) -> str:
+    """What differs in intervals that read the same."""
+    told = []
+    for one, other in zip(before, after, strict=True):
+        changes = [
+            f"{key} {told_before} -> {told_after}"
+            for key in one
+            if (told_before := _exact(one[key])) != (told_after := _exact(other[key]))
+        ]
+        if changes:
+            told.append(f"{_intervals([one])}: {', '.join(changes)}")
+    return "; ".join(told)
+
+
+def _exact(value: Any) -> str:
+    """With as many digits as tell two numbers of single precision apart."""
+    if isinstance(value, (list, tuple)):
+        return f"({', '.join(map(_exact, value))})"
+    return f"{value:.9g}" if isinstance(value, float) else str(value)
 
 
 def _list(values: Sequence[int]) -> str:

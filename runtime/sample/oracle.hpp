@@ -98,8 +98,14 @@ private:
     }
 
     Index sector(const std::string& word, const Place& place) const {
-        const Index found = word == "?" ? locator()(place.p).sector : index(word);
-        if (word == "?" && found < 0) throw Refused{"the point lies in no sector"};
+        if (word != "?") return sector(word);
+        const Index found = locator()(place.p).sector;
+        if (found < 0) throw Refused{"the point lies in no sector"};
+        return found;
+    }
+
+    Index sector(const std::string& word) const {
+        const Index found = index(word);
         if (!mesh_.takes(found))
             throw Refused{"sector " + word + " does not exist: there are " + std::to_string(mesh_.sectors())};
         return found;
@@ -145,7 +151,7 @@ private:
     }
 
     std::string visible(const Words& words) const {
-        return visible_(index(words[1]), index(words[2])) ? "may be visible" : "not visible";
+        return visible_(sector(words[1]), sector(words[2])) ? "may be visible" : "not visible";
     }
 
     std::string ledges(const Words& words) const {

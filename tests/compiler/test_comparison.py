@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from fixtures.rooms import Level as Builder
 from jktools.compiler import CompiledLevel, CompileSettings, compile_level
-from jktools.compiler.comparison import Difference, compare
+from jktools.compiler.comparison import Difference, FieldChange, compare
+from jktools.compiler.comparison import _match as match
+from jktools.compiler.records import Records
 from jktools.emit.difference import text
 from jktools.model import Level
 from tests.compiler.test_scene_sections import LAMP
@@ -100,6 +104,42 @@ def test_between_equal_neighbours_others_are_taken_for_the_same() -> None:
     found = compare(compiled(rooms(0, 10, 20)), compiled(rooms(0, 11, 20, 30)))
     sectors = [each for each in found if each.kind == "sector"]
     assert [(each.change, each.before, each.after) for each in sectors] == [("changed", 1, 1), ("added", None, 3)]
+
+
+def test_each_record_is_matched_once_where_records_changed_places() -> None:
+    before = ("a", "x1", "x2", "x3", "x4", "b", "c", "y1", "y2", "y3", "y4", "d")
+    after = ("a", "c", "q", "r", "s", "b", "d")
+    first, second = (Records("resources", "sound", range(len(each)), each, each, {}) for each in (before, after))
+    found = match(first, second)
+    assert [b for _, b in found.pairs] == [*range(len(after))], "each once"
+    assert len({a for a, _ in found.pairs}) == len(after)
+    assert len(found.removed) == len(before) - len(after)
+
+
+def interval(**changes: object) -> dict[str, object]:
+    return {"from": 0.0, "to": 1.0, "kind": "wall", "below": 39, "drop": [math.nan, math.nan], "traits": 2} | changes
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "told"),
+    [
+        (interval(), interval(kind="jump"), "wall 0..1 -> jump 0..1"),
+        (interval(), interval(below=43), "wall 0..1: below 39 -> 43"),
+        (interval(), interval(to=0.99999994), "wall 0..1: to 1 -> 0.99999994"),
+        (interval(drop=[1.0, 2.0]), interval(drop=[1.0, 3.0], traits=0),
+         "wall 0..1 (1 JKU): drop (1, 2) -> (1, 3), traits 2 -> 0"),
+    ],
+)  # fmt: skip
+def test_what_differs_in_a_ledge_is_told(before: dict[str, object], after: dict[str, object], told: str) -> None:
+    same = interval(kind="step")
+    change = FieldChange("intervals", [same, before], [same, after])
+    shown = list(text(("a", "b"), [Difference("ledges", "edge", "changed", 7, 7, "corner 1", (change,))]))
+    assert shown[-1].removeprefix("  edge of surface 7 (corner 1): ").replace("step 0..1, ", "") == told
+
+
+def test_an_edge_of_a_thing_is_none_of_a_surface() -> None:
+    of_thing = Difference("ledges", "edge", "removed", -1, None, "thing 7, face 2, corner 1")
+    assert list(text(("a", "b"), [of_thing]))[-1] == "  edge (thing 7, face 2, corner 1): removed"
 
 
 def test_a_thing_that_is_added() -> None:

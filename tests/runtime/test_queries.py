@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import platform
 import re
+import shlex
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -248,6 +249,7 @@ def test_a_way_that_parts_at_an_edge(first: bool, second: bool, jklb_query: Path
         (["locate", "nan", "1", "2"], "a coordinate is not finite or 2^150 or more"),
         (["drop", "1", "1", "1", "1.5"], "'1.5' is no index"),
         (["drop", "1", "1", "1", "2"], "sector 2 does not exist: there are 2"),
+        (["visible", "0", "2"], "sector 2 does not exist: there are 2"),
         (["drop", "9", "9", "9", "?"], "the point lies in no sector"),
         (["drop", "1", "1", "1", "0", "-1"], "the limit is negative or not a number"),
         (["ledges", "3", "0", "0"], "body 3 does not exist: there are 1"),
@@ -360,6 +362,16 @@ def test_the_commands_of_the_readme_are_those_that_are_tried_here() -> None:
     readme = (ROOT / "runtime/README.md").read_text()
     assert "c++ -std=c++17 -O2 -I runtime -isystem .venv/include runtime/sample/jklb_query.cpp -o jklb_query" in readme
     assert "cmake -S runtime/sample -B build/sample -DFLATBUFFERS=" in readme
+
+
+def test_the_questions_of_the_readme_have_answers(corpus: Path, jklb_query: Path, tmp_path: Path) -> None:
+    path, _ = compiled_at(tmp_path, load(str(corpus / "gob/masspack.gob!jkl/lagoon.jkl")))
+    lines = re.findall(
+        r"^jklb_query lagoon\.jklb ((?:sight|drop|ledges) .*?)  ", (ROOT / "runtime/README.md").read_text(), re.M
+    )
+    found = answers(jklb_query, path, [" ".join(shlex.split(line)) for line in lines])
+    assert [answer.split()[0] for answer in found] == ["visible", "floor", "0"]
+    assert found[2].startswith("0 to 1 water, surface 19, ")
 
 
 @pytest.mark.parametrize("flag", ["-ffast-math", "-mfpmath=387"])
