@@ -41,7 +41,8 @@ def command(
     """Write a page of every level: seen from above and in space, with findings, ledges, basins and costs.
 
     A page is one file that needs nothing else and asks the network for nothing. Of several levels each has its own page
-    in the folder OUT, and OUT/index.html leads to them. PATH may be a compiled level too; then there are no findings.
+    in the folder OUT, and OUT/index.html leads to them. Findings are those of the level and of the scripts that come
+    with it; `jktools lint` looks at the pack's other files too. PATH may be a compiled level; then there are none.
 
     Exit status: 0 all written, 2 bad usage or a PATH that cannot be read, 3 a bug in jktools.
     """

@@ -87,11 +87,11 @@ def page_of(
 ) -> LevelPage:
     """What there is to show of a level: it and the scripts that come with it are linted, then it is compiled."""
     facts = LevelFacts(level, Vocabulary(level.game, settings.verbs))
-    found, files = lint(level, rules, facts, settings.options), 1
+    found, scripts = lint(level, rules, facts, settings.options), 0
     for member in bound_scripts(level):
         script = script_facts(level.resources.library, member, facts.vocabulary)
         found += lint(script.script, rules, script, settings.options)
-        files += 1
+        scripts += 1
     found = sorted(with_settings(found, settings, set()), key=lambda d: d.sort_key)
     compiled, fault = None, ""
     try:
@@ -99,7 +99,7 @@ def page_of(
     except (CompileError, PassError) as error:
         fault = str(error)
     costs = () if compiled is None else [*chain(*summarise_costs(level.path, facts.hotspots).values())]
-    return LevelPage(level.path, compiled, fault, found, costs, files)
+    return LevelPage(level.path, compiled, fault, found, costs, scripts)
 
 
 def _write(page: LevelPage, place: Path, reported: Reported) -> bool:

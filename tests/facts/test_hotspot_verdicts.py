@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 import pytest
 
+from jktools.diagnostics import Severity
 from jktools.engine.profile import Engine
 from jktools.facts import LevelFacts
 from jktools.facts.hotspots import Verdict
@@ -186,10 +187,10 @@ def test_what_is_told_of_a_call() -> None:
         f"activated: {LOOK} return;", "end",
     ]  # fmt: skip
     leave_out = "the outcome is known beforehand: leave the test out"
-    for level, told, cure in (
-        (SHUT, "never succeeds", leave_out),
+    for level, told, cure, severity in (
+        (SHUT, "never succeeds", leave_out, Severity.WARNING),
         ((), "always succeeds by openjkdf2, while it varies by research",
-         "do not build on this test: engines differ in it"),
+         "do not build on this test: engines differ in it", Severity.INFO),
     ):  # fmt: skip
         with level_with_files(*level, *lines) as found:
             (spot,) = LevelFacts(found).hotspots
@@ -198,4 +199,4 @@ def test_what_is_told_of_a_call() -> None:
             assert finding.message == (
                 f"cog 0 (look.cog) tests sight between things that stay in place, but the test {told}"
             )
-            assert finding.help == cure
+            assert (finding.help, finding.severity) == (cure, severity)

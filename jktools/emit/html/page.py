@@ -36,8 +36,8 @@ class LevelPage:
     """Of the level and of its scripts, in the one order of every output."""
     costs: Sequence[CostSummary] = ()
     """Of tests of sight, the dearest first."""
-    files: int = 0
-    """How many were looked at."""
+    scripts: int = 0
+    """How many were looked at beside the level."""
 
 
 class Link(NamedTuple):
@@ -67,7 +67,7 @@ def level_page(page: LevelPage) -> str:
             path=printable(page.path),
             fault=printable(page.fault),
             counts=_counted(page.findings),
-            files=page.files,
+            scripts=page.scripts,
             kinds=[] if page.level is None else [f"{n} {kind.replace('_', ' ')}" for kind, n in _held(page.level)],
             settings={} if page.level is None else page.level.settings,
             rows=rows,

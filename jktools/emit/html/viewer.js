@@ -14,7 +14,7 @@
   // ---- the level
 
   const HALF_THROUGH = 2, SKY = 3;
-  const FLOOR = 0x1, WATER = 0x160000, UNDERWATER = 0x2, DEADLY = 0x40;
+  const FLOOR = 0x1, ICE = 0x3000, WATER = 0x160000, UNDERWATER = 0x2, DEADLY = 0x40;
   const ARRAYS = {
     vertices: Float32Array, corner_start: Int32Array, corner_vertex: Int32Array, corner_light: Uint8Array,
     surface_normal: Float32Array, surface_sector: Int32Array, surface_flags: Uint32Array, surface_look: Uint8Array,
@@ -87,11 +87,11 @@
       const flags = level.surface_flags[s], sector = level.sector_flags[level.surface_sector[s]] || 0;
       if (sector & DEADLY) return [0.6, 0.22, 0.2];
       if (flags & WATER || sector & UNDERWATER) return [0.24, 0.42, 0.62];
-      if (flags & FLOOR) return [0.5, 0.62, 0.42];
+      if (flags & FLOOR) return flags & ICE ? [0.62, 0.78, 0.8] : [0.5, 0.62, 0.42];
       return normalOf(s)[2] >= 0.6 ? [0.66, 0.5, 0.3] : [0.42, 0.42, 0.43];
     },
   };
-  const PAINT_NAMES = { floor: [["floor", [0.5, 0.62, 0.42]], ["level enough, but no floor", [0.66, 0.5, 0.3]], ["water", [0.24, 0.42, 0.62]], ["deadly", [0.6, 0.22, 0.2]]] };
+  const PAINT_NAMES = { floor: [["floor", [0.5, 0.62, 0.42]], ["icy floor", [0.62, 0.78, 0.8]], ["level enough, but no floor", [0.66, 0.5, 0.3]], ["water", [0.24, 0.42, 0.62]], ["deadly", [0.6, 0.22, 0.2]]] };
   const BASIN = [0.72, 0.55, 0.85], STUCK = [0.5, 0.05, 0.95];
   const LEDGES = { 1: [0.45, 0.8, 0.45], 2: [0.95, 0.3, 0.25], 3: [0.3, 0.6, 0.95], 4: [1, 0.1, 0.6], 5: [0.75, 0.85, 0.5], 6: [0.85, 0.8, 0.3], 7: [0.95, 0.6, 0.2], 9: [0.65, 0.65, 0.68] };
   const LEDGE_NAMES = JSON.parse(document.getElementById("ledge-kinds").textContent);
@@ -329,6 +329,7 @@
   function repaint() { paintFaces(); paintLines(); paintChosen(); legend(); draw(); }
   function choose(surface, sector, mark) {
     Object.assign(state, { surface, sector, mark });
+    for (const row of document.querySelectorAll("#findings .chosen")) row.classList.remove("chosen");
     if (state.seen) repaint(); else { paintChosen(); draw(); }
   }
   function goTo(point) {

@@ -20,7 +20,8 @@ def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
     The test costs time and decides nothing. Reported is a call between things that stay where they are placed, by the
     whole scene: walls, and things in the way that stay too. No script can change what the answer hangs on, and where it
     always succeeds nothing solid can come between: by the research document any body or shot, by the decompiled engine
-    things of type cog. Where only one of them is sure, the finding says so: such a test may work in one engine alone.
+    things of type cog. Where only one of them is sure, the finding is an info and says so: such a test may work in one
+    engine alone.
 
     ## Bad
         World adjoins 2
@@ -67,4 +68,5 @@ def sight_outcome_known(level: Level, facts: LevelFacts) -> Iterator[Finding]:
                 spot.help if spot.verdict is not Verdict.VARIES else "do not build on this test: engines differ in it",
                 subject_of(spot.runner),
                 (spot.runner.script.label(spot.site.call, "the call"),),
+                None if spot.verdict is not Verdict.VARIES else Severity.INFO,
             )
