@@ -57,6 +57,8 @@ def command(
         click.echo(printable(f"{level} -> {page}"))
     if reported.index:
         click.echo(printable(f"index -> {reported.index}"))
-    for message in reported.problems:
+    for message in (*reported.problems, *reported.bugs):
         problem(message)
+    if reported.bugs:
+        return Status.BUG
     return Status.USAGE if reported.problems else Status.CLEAN

@@ -30,13 +30,20 @@ Renamed = Callable[[str], str]
 """From the path in a finding to the one in a baseline."""
 
 
+_Key = tuple[str, str, str]
+
+
+def _key(diagnostic: Diagnostic, renamed: Renamed) -> _Key:
+    return renamed(diagnostic.path), diagnostic.code.id, identity(diagnostic)
+
+
 def known_of(diagnostics: Iterable[Diagnostic], renamed: Renamed = str) -> list[Known]:
     """A baseline of findings, sorted; bugs of jktools are never part of one."""
-    first: dict[tuple[str, str, str], str] = {}
-    counts: Counter[tuple[str, str, str]] = Counter()
+    first: dict[_Key, str] = {}
+    counts: Counter[_Key] = Counter()
     for diagnostic in diagnostics:
         if not diagnostic.code.is_bug:
-            key = (renamed(diagnostic.path), diagnostic.code.id, identity(diagnostic))
+            key = _key(diagnostic, renamed)
             first.setdefault(key, diagnostic.message)
             counts[key] += 1
     return [Known(*key, count, first[key]) for key, count in sorted(counts.items())]
@@ -57,7 +64,7 @@ def compare(diagnostics: Sequence[Diagnostic], baseline: Iterable[Known], rename
     left = Counter({entry.key: entry.times for entry in entries})
     fresh = []
     for diagnostic in diagnostics:
-        key = (renamed(diagnostic.path), diagnostic.code.id, identity(diagnostic))
+        key = _key(diagnostic, renamed)
         if diagnostic.code.is_bug or left[key] <= 0:
             fresh.append(diagnostic)
         else:

@@ -18,6 +18,7 @@ from jktools.linter import Rule, Selection, lint, select
 from jktools.model import Level
 from jktools.model.cog.program import Vocabulary
 from jktools.model.resources import Library
+from jktools.session.bugs import file_failed
 from jktools.session.ignores import with_settings
 from jktools.session.levels import LEVEL_EXTENSION, read_level
 from jktools.session.members import members_of
@@ -42,6 +43,8 @@ class Reported:
     """The page that leads to them, where there are several."""
     problems: list[str] = field(default_factory=list)
     """Paths that could not be read or written, one sentence each."""
+    bugs: list[str] = field(default_factory=list)
+    """Files on which jktools itself failed, one sentence each."""
 
 
 def report_all(
@@ -76,6 +79,8 @@ def report_all(
                     links.append(link_to(page, os.path.relpath(place, out).replace(os.sep, "/")))
         except InputError as error:
             reported.problems.append(str(error))
+        except Exception as error:
+            reported.bugs.append(f"{member.path}: {file_failed(member, error).message}")
     if len(links) > 1:
         reported.index = out / INDEX
         write_atomically(reported.index, index_page(", ".join(paths), links).encode())

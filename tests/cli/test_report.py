@@ -203,6 +203,26 @@ def test_one_level_that_cannot_be_read_loses_no_other(here: Path, capsys: pytest
     assert Path("out/rooms.html").exists()
 
 
+def test_a_bug_on_one_level_loses_no_other(
+    here: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from jktools.session import reporting  # noqa: PLC0415 (its function is replaced)
+
+    def page_of(level: jktools.Level, *rest: Any) -> Any:
+        if level.path == "a.jkl":
+            raise ZeroDivisionError("boom")
+        return whole(level, *rest)
+
+    whole = reporting.page_of
+    monkeypatch.setattr(reporting, "page_of", page_of)
+    for name in ("a.jkl", "b.jkl"):
+        Path(name).write_text(TWO_ROOMS)
+    assert main(["report", "a.jkl", "b.jkl", "-o", "out"]) == 3
+    shown = capsys.readouterr()
+    assert "a.jkl: jktools failed on this file: ZeroDivisionError: boom" in shown.err
+    assert shown.out == "b.jkl -> out/b.html\n"
+
+
 def test_no_line_of_the_script_is_long_code_in_disguise() -> None:
     """The viewer is ours and is read by people: nothing minified, no other site."""
     lines = (ROOT / "jktools/emit/html/viewer.js").read_text().splitlines()
