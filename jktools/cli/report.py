@@ -42,7 +42,7 @@ def command(
 
     A page is one file that needs nothing else and asks the network for nothing. Of several levels each has its own page
     in the folder OUT, and OUT/index.html leads to them. Findings are those of the level and of the scripts that come
-    with it; `jktools lint` looks at the pack's other files too. One PATH may be a compiled level, alone, without findings.
+    with it; `jktools lint` looks at the pack's other files too. PATH may be one compiled level: no findings.
 
     Exit status: 0 all written, 2 bad usage or a PATH that cannot be read, 3 a bug in jktools.
     """

@@ -56,9 +56,9 @@ def report_all(
 ) -> Reported:
     """Write a page of every level that the paths name into `out`, or below it, and one that leads to them.
 
-    A compiled level that is the only path is drawn as it is. What cannot be read or written is told, and the rest is reported all the same; a
-    level that cannot be compiled has a page with its findings. Raises InputError when `out` cannot hold the pages or a
-    base cannot be opened, UnknownRuleError when the settings name a rule that does not exist.
+    A compiled level that is the only path is drawn as it is. What cannot be read or written is told, and the rest is
+    reported all the same; a level that cannot be compiled has a page with its findings. Raises InputError when `out`
+    cannot hold the pages or a base cannot be opened, UnknownRuleError when the settings name an unknown rule.
     """
     settings, reported = settings or Settings(), Reported()
     if len(paths) == 1 and is_compiled(paths[0]):
